@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Marks on a motion's frames: when a foot is planted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace strut::motion {
+
+/// A stretch of frames during which a foot stands on the ground.
+struct Footplant {
+  int foot = 0;   ///< which foot: an index whose meaning the giver states (0 = left, 1 = right for a biped)
+  int begin = 0;  ///< first frame, from 0
+  int end = 0;    ///< one past the last frame
+
+  friend bool operator==(const Footplant&, const Footplant&) = default;
+};
+
+}  // namespace strut::motion
