@@ -79,7 +79,7 @@ bool is_regular_or_missing(const std::string& path) {
 /// Gives the unnamed file `fd` a name beside the target.
 std::string link_beside(int fd, const std::string& path) {
   for (unsigned attempt = 0;; ++attempt) {
-    const std::string name = path + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(attempt);
+    std::string name = path + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(attempt);
     if (::linkat(AT_FDCWD, ("/proc/self/fd/" + std::to_string(fd)).c_str(), AT_FDCWD, name.c_str(),
                  AT_SYMLINK_FOLLOW) == 0) {
       return name;
