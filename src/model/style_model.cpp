@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include <strut/core/error.h>
+#include <strut/model/style_model.h>
+
+namespace strut {
+namespace {
+
+void check_dofs(const StyleBlock& block, const std::vector<int>& dofs, int systems_count, int available,
+                const char* which) {
+  if (static_cast<int>(dofs.size()) != systems_count) {
+    throw InvalidArgument("block '" + block.name + "' " + which, std::to_string(systems_count) + " degrees of freedom",
+                          std::to_string(dofs.size()));
+  }
+  for (const int dof : dofs) {
+    if (dof < 0 || dof >= available) {
+      throw InvalidArgument("block '" + block.name + "' " + which,
+                            "degrees of freedom below " + std::to_string(available), std::to_string(dof));
+    }
+  }
+}
+
+void check_block(const StyleBlock& block, int num_dofs, std::vector<bool>& given) {
+  check_dofs(block, block.input_dofs, block.system.num_inputs(), num_dofs, "inputs");
+  check_dofs(block, block.output_dofs, block.system.num_outputs(), num_dofs + 1, "outputs");
+  for (const int dof : block.output_dofs) {
+    if (given[static_cast<std::size_t>(dof)]) {
+      throw InvalidArgument("block '" + block.name + "'", "outputs of its own",
+                            "degree of freedom " + std::to_string(dof) + " again");
+    }
+    given[static_cast<std::size_t>(dof)] = true;
+  }
+  const double radius = block.system.spectral_radius();
+  if (radius >= 1.0) {
+    throw InvalidArgument("block '" + block.name + "'", "a stable system", "spectral radius " + std::to_string(radius));
+  }
+}
+
+void check_size(const char* name, int expected, int got) {
+  if (expected != got)
+    throw InvalidArgument(name, std::to_string(expected) + " degrees of freedom", std::to_string(got));
+}
+
+}  // namespace
+
+StyleModel::StyleModel(StyleModelParts parts) : parts_(std::move(parts)) {
+  if (!(std::isfinite(parts_.frame_rate) && parts_.frame_rate > 0.0)) {
+    throw InvalidArgument("frame_rate", "a positive number", std::to_string(parts_.frame_rate));
+  }
+  const std::string mismatch = describe_mismatch(parts_.input.skeleton(), parts_.output.skeleton());
+  if (!mismatch.empty()) throw InvalidArgument("output", "the input's hierarchy", mismatch);
+  check_size("input_scaling", num_dofs(), parts_.input_scaling.num_dofs());
+  check_size("output_scaling", num_dofs() + 1, parts_.output_scaling.num_dofs());
+  std::vector<bool> given(static_cast<std::size_t>(num_dofs()) + 1, false);
+  for (const StyleBlock& block : parts_.blocks) check_block(block, num_dofs(), given);
+}
+
+int StyleModel::num_states() const noexcept {
+  return std::accumulate(parts_.blocks.begin(), parts_.blocks.end(), 0,
+                         [](int sum, const StyleBlock& block) { return sum + block.system.num_states(); });
+}
+
+}  // namespace strut

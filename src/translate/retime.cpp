@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <string>
+
+#include <strut/core/error.h>
+#include <strut/math/sampling.h>
+#include <strut/translate/retime.h>
+
+namespace strut::translate {
+namespace {
+
+/// When each input frame's centre comes [output frames], the first at 0.
+Eigen::VectorXd output_times(const Eigen::VectorXd& time_warp) {
+  Eigen::VectorXd times = Eigen::VectorXd::Zero(time_warp.size());
+  for (Eigen::Index i = 1; i < times.size(); ++i) times[i] = times[i - 1] + 0.5 * (time_warp[i - 1] + time_warp[i]);
+  return times;
+}
+
+/// Where the increasing piecewise linear curve `times` reaches 0, 1, 2, ...
+Eigen::VectorXd invert(const Eigen::VectorXd& times) {
+  constexpr double kRounding = 1e-9;  // a last frame missed by rounding alone still counts
+  const auto count = static_cast<Eigen::Index>(std::floor(times[times.size() - 1] + kRounding)) + 1;
+  Eigen::VectorXd positions(count);
+  Eigen::Index i = 0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double time = static_cast<double>(k);
+    while (i + 2 < times.size() && times[i + 1] <= time) ++i;
+    const double span = times.size() > 1 ? times[i + 1] - times[i] : 1.0;
+    positions[k] = static_cast<double>(i) + (time - times[i]) / span;
+  }
+  return positions;
+}
+
+}  // namespace
+
+FrameMatrix retime(const Eigen::Ref<const FrameMatrix>& rows, const Eigen::Ref<const Eigen::VectorXd>& log_time_warp) {
+  // Twenty times slower or faster is beyond any style; a model that asks for it is out of its depth.
+  constexpr double kLargestLogWarp = 3.0;
+  if (rows.rows() == 0) throw InvalidArgument("rows", "at least one frame", "none");
+  if (rows.rows() != log_time_warp.size()) {
+    throw InvalidArgument("log_time_warp", std::to_string(rows.rows()) + " elements",
+                          std::to_string(log_time_warp.size()));
+  }
+  if (!log_time_warp.allFinite()) throw InvalidArgument("log_time_warp", "finite numbers", "NaN or infinity");
+  const Eigen::VectorXd warp = log_time_warp.cwiseMax(-kLargestLogWarp).cwiseMin(kLargestLogWarp).array().exp();
+  return math::sample_rows(rows, invert(output_times(warp)));
+}
+
+}  // namespace strut::translate
