@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// How fast feet move over the ground while they ought to stand: near zero in a recording, tens of centimetres per
+// second in motion whose feet skate.
+#pragma once
+
+#include <vector>
+
+#include <strut/metrics/body_track.h>
+#include <strut/motion/annotation.h>
+
+namespace strut::metrics {
+
+/// A slide and the foot and moment at which it is worst.
+struct FootSlide {
+  double speed = 0.0;        ///< horizontal speed of the toes where they stand [m/s]
+  double worst_speed = 0.0;  ///< in the worst second or plant [m/s]
+  Place worst;               ///< the toe joint and the middle of that stretch
+};
+
+/// Slide without knowing when feet are planted: the median, over both feet and every whole second, of the slowest
+/// 0.15 s of that second. A standing or walking body plants each foot once a second or more often.
+/// Throws InvalidArgument for fewer than two frames. Cost O(frames).
+FootSlide foot_slide(const BodyTrack& track);
+
+/// Slide while planted: the mean over all planted frames. `plants` in the frames of the clip that the track was made
+/// from, foot 0 = left, 1 = right; speed 0 and joint -1 if none covers two frames of the track.
+/// Throws InvalidArgument if a plant names another foot or lies outside the clip. Cost O(frames).
+FootSlide foot_slide(const BodyTrack& track, const std::vector<motion::Footplant>& plants);
+
+}  // namespace strut::metrics

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "metrics/ground_speed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <strut/core/error.h>
+#include <strut/metrics/foot_slide.h>
+
+namespace strut::metrics {
+namespace {
+
+constexpr double kStandingSeconds = 0.15;  // shorter than the stance of a sprint, longer than a frame at 24 frames/s
+
+struct Stretch {
+  double speed;
+  Place place;
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+/// The slowest stretch of each whole second (of all there is, if that is less).
+void add_slowest(const BodyTrack& track, std::size_t side, std::vector<Stretch>& slowest) {
+  const Eigen::VectorXd speed = ground_speed(track.toes_world[side], track.rate);
+  const Eigen::Index span = std::clamp<Eigen::Index>(std::lround(kStandingSeconds * track.rate),
+                                                     std::min<Eigen::Index>(2, speed.size()), speed.size());
+  const Eigen::VectorXd mean = moving_mean(speed, span);
+  const Eigen::Index second = std::min<Eigen::Index>(std::max(1L, std::lround(track.rate)), mean.size());
+  for (Eigen::Index begin = 0; begin + second <= mean.size(); begin += second) {
+    Eigen::Index where = 0;
+    const double least = mean.segment(begin, second).minCoeff(&where);
+    const double middle = static_cast<double>(begin + where) + 0.5 * static_cast<double>(span - 1);
+    slowest.push_back({least, track.place(track.toes[side], middle)});
+  }
+}
+
+FootSlide with_worst(double speed, const std::vector<Stretch>& stretches) {
+  if (stretches.empty()) return {};
+  const Stretch& worst = *std::max_element(stretches.begin(), stretches.end(),
+                                           [](const Stretch& a, const Stretch& b) { return a.speed < b.speed; });
+  return {speed, worst.speed, worst.place};
+}
+
+void check(const motion::Footplant& plant, const BodyTrack& track) {
+  if (plant.foot != 0 && plant.foot != 1) {
+    throw InvalidArgument("plants", "foot 0 (left) or 1 (right)", std::to_string(plant.foot));
+  }
+  const double last = (track.num_frames() - 1) * track.source_rate / track.rate;
+  if (plant.begin < 0 || plant.end < plant.begin || plant.end - 1 > last + track.source_rate / track.rate) {
+    throw InvalidArgument("plants", "frames inside the clip",
+                          std::to_string(plant.begin) + " to " + std::to_string(plant.end));
+  }
+}
+
+}  // namespace
+
+FootSlide foot_slide(const BodyTrack& track) {
+  if (track.num_frames() < 2) throw InvalidArgument("track", "at least two frames", "fewer");
+  std::vector<Stretch> slowest;
+  for (const std::size_t side : {0, 1}) add_slowest(track, side, slowest);
+  std::vector<double> speeds;
+  for (const Stretch& stretch : slowest) speeds.push_back(stretch.speed);
+  return with_worst(median(speeds), slowest);
+}
+
+FootSlide foot_slide(const BodyTrack& track, const std::vector<motion::Footplant>& plants) {
+  const double rows_per_frame = track.rate / track.source_rate;
+  std::vector<Stretch> slides;
+  double length = 0.0;
+  double duration = 0.0;
+  for (const motion::Footplant& plant : plants) {
+    check(plant, track);
+    const auto side = static_cast<std::size_t>(plant.foot);
+    const auto begin = static_cast<Eigen::Index>(std::ceil(plant.begin * rows_per_frame));
+    const auto end = std::min<Eigen::Index>(
+        track.num_frames(), static_cast<Eigen::Index>(std::floor((plant.end - 1) * rows_per_frame)) + 1);
+    if (end - begin < 2) continue;
+    const double slid = ground_path(track.toes_world[side].middleRows(begin, end - begin));
+    const double seconds = static_cast<double>(end - begin - 1) / track.rate;
+    slides.push_back({slid / seconds, track.place(track.toes[side], 0.5 * static_cast<double>(begin + end - 1))});
+    length += slid;
+    duration += seconds;
+  }
+  return with_worst(duration > 0.0 ? length / duration : 0.0, slides);
+}
+
+}  // namespace strut::metrics
