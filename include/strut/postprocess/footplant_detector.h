@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Finds when feet are planted from how they move: from a motion to footplants. A foot is planted while its slower end,
+// heel (ankle) or toe, is slow for this clip and this foot, and low. Thresholds are shares of the foot's own speed and
+// of the leg's length, with hysteresis, so that runs, shuffles and bodies of any size need no settings.
+#pragma once
+
+#include <vector>
+
+#include <strut/motion/annotation.h>
+#include <strut/motion/legs.h>
+#include <strut/motion/motion.h>
+
+namespace strut::postprocess {
+
+/// When a foot counts as planted.
+struct FootplantDetectorOptions {
+  double landing_speed = 0.12;   ///< slower than this share of the swinging foot's speed, a foot has landed
+  double leaving_speed = 0.20;   ///< faster than this share, it has left; at least landing_speed
+  double least_speed = 0.15;     ///< but below this many leg lengths a second a foot always counts as slow
+  double height = 0.06;          ///< higher than this above its ground level [leg lengths], it has not landed
+  double leaving_height = 0.12;  ///< higher than this, it has left; at least height
+  double longest_gap = 0.10;     ///< shorter interruptions are closed if the foot does not go anywhere meanwhile [s]
+  double shortest_plant = 0.08;  ///< shorter footplants are dropped, but for those cut by the clip's ends [s]
+};
+
+/// The footplants of both feet (0 left, 1 right), by foot, then begin; those of one foot never touch.
+/// A plant that is under way when the clip begins or ends begins at frame 0 or ends at the last.
+/// Throws InvalidArgument if an option is negative or a threshold for leaving is below that for landing.
+/// Cost O(frames x joints).
+std::vector<motion::Footplant> detect_footplants(const Motion& motion, const motion::Legs& legs,
+                                                 const FootplantDetectorOptions& options = {});
+
+}  // namespace strut::postprocess
