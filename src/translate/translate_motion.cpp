@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // represent -> (warm up) -> model step -> strength -> re-time -> invert the representation.
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include <strut/core/error.h>
 #include <strut/motion/resample.h>
+#include <strut/representation/extrapolation.h>
 #include <strut/representation/representation.h>
 #include <strut/translate/retime.h>
 #include <strut/translate/signal_translator.h>
@@ -14,8 +14,6 @@
 
 namespace strut {
 namespace {
-
-using representation::kHeight;
 
 void check(const StyleModel& model, const Motion& clip, const TranslateOptions& options) {
   representation::check_skeleton(model.input(), clip.skeleton());
@@ -28,22 +26,13 @@ void check(const StyleModel& model, const Motion& clip, const TranslateOptions& 
   }
 }
 
-/// What may have come before the clip: its beginning, reflected through its first frame, so that position and velocity
-/// are continuous there. Velocities among the degrees of freedom are even in time, all others odd.
-Eigen::RowVectorXd extrapolated_back(const FrameMatrix& rows, Eigen::Index frames_before) {
-  const Eigen::Index mirrored = std::min(frames_before, rows.rows() - 1);
-  Eigen::RowVectorXd row = 2.0 * rows.row(0) - rows.row(mirrored);
-  row.head<kHeight>() = rows.row(mirrored).head<kHeight>();
-  return row;
-}
-
 FrameMatrix translate_signal(const std::shared_ptr<const StyleModel>& model, const FrameMatrix& input,
                              const TranslateOptions& options) {
   translate::SignalTranslator translator(model);
   Eigen::RowVectorXd output(model->num_dofs() + 1);
-  for (auto k = static_cast<Eigen::Index>(std::lround(options.warm_up * model->frame_rate())); k > 0; --k) {
-    translator.step(extrapolated_back(input, k), output);
-  }
+  const auto warm_up_frames = static_cast<int>(std::lround(options.warm_up * model->frame_rate()));
+  const FrameMatrix before = representation::extrapolate_back(input, warm_up_frames);
+  for (Eigen::Index t = 0; t < before.rows(); ++t) translator.step(before.row(t), output);
   FrameMatrix translated(input.rows(), output.size());
   for (Eigen::Index t = 0; t < input.rows(); ++t) {
     translator.step(input.row(t), output);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "support/small_model.h"
+
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include <strut/core/error.h>
-#include <strut/math/rotation.h>
 #include <strut/motion/kinematics.h>
 #include <strut/motion/resample.h>
 #include <strut/representation/normalization.h>
@@ -14,55 +14,14 @@
 namespace strut::representation {
 namespace {
 
+using test::largest_difference;
+using test::small_body;
+using test::turning_motion;
+
 constexpr double kRoundTrip = 1e-9;  // what the design asks of encode then decode [rad, m]
 
-/// root -> pelvis -> {left, right, spine -> head}: a chain above the pelvis, as real files have.
-std::shared_ptr<const Skeleton> small_body() {
-  return std::make_shared<const Skeleton>(std::vector<Joint>{{"root", -1, {0, 0, 0}},
-                                                             {"pelvis", 0, {0, 0.9, 0}},
-                                                             {"left", 1, {0.1, 0, 0}},
-                                                             {"right", 1, {-0.1, 0, 0}},
-                                                             {"spine", 1, {0, 0.2, 0}},
-                                                             {"head", 4, {0, 0.3, 0}}});
-}
-
-Pose pose_at(const Skeleton& skeleton, double t, std::mt19937& noise) {
-  std::normal_distribution<double> shake(0.0, 0.02);
-  Pose pose = rest_pose(skeleton);
-  pose.translations[1] = {std::sin(0.5 * t), 0.9 + 0.03 * std::sin(7 * t), 1.2 * t};
-  for (std::size_t j = 1; j < pose.rotations.size(); ++j) {
-    const double phase = static_cast<double>(j);
-    pose.rotations[j] =
-        math::exp_map({2.0 + 0.4 * std::sin(4 * t + phase), 0.3 * std::cos(3 * t) + shake(noise), 0.2 * phase});
-  }
-  pose.rotations[1] =
-      math::rotation_about_y(2.5 * t) * math::exp_map({0.2 * std::sin(5 * t), 0.0, 0.1 + 0.1 * std::cos(4 * t)});
-  return pose;
-}
-
-Motion turning_motion(double rate, double duration = 4.0) {
-  const auto skeleton = small_body();
-  std::mt19937 noise(7);
-  std::vector<Pose> frames;
-  for (int i = 0; i < static_cast<int>(duration * rate); ++i) frames.push_back(pose_at(*skeleton, i / rate, noise));
-  return {skeleton, rate, std::move(frames)};
-}
-
-double largest_difference(const Motion& a, const Motion& b) {
-  double largest = 0.0;
-  for (int t = 0; t < a.num_frames(); ++t) {
-    const auto x = motion::forward_kinematics(a.skeleton(), a.frame(t));
-    const auto y = motion::forward_kinematics(b.skeleton(), b.frame(t));
-    for (std::size_t j = 1; j < x.positions.size(); ++j) {
-      largest = std::max(largest, (x.positions[j] - y.positions[j]).norm());
-      largest = std::max(largest, (x.rotations[j].conjugate() * y.rotations[j]).vec().norm());
-    }
-  }
-  return largest;
-}
-
 TEST(Representation, EncodeThenDecodeIsTheIdentity) {
-  const Motion clip = turning_motion(30.0);
+  const Motion clip = turning_motion(30.0, 4.0);
   const auto rep = fit_representation({clip}, Eigen::Quaterniond::Identity());
   const FrameMatrix rows = encode(rep, clip);
   const auto start = placement(pelvis_world(clip.skeleton(), clip.frame(0)), rep.upright());
@@ -71,14 +30,14 @@ TEST(Representation, EncodeThenDecodeIsTheIdentity) {
 }
 
 TEST(Representation, DoesNotSeeWhereAClipStandsOrFaces) {
-  const Motion clip = turning_motion(30.0);
+  const Motion clip = turning_motion(30.0, 4.0);
   const Motion elsewhere = motion::moved(clip, {3.0, 0.0, -7.0}, 2.0);
   const auto rep = fit_representation({clip}, Eigen::Quaterniond::Identity());
   EXPECT_LT((encode(rep, clip) - encode(rep, elsewhere)).cwiseAbs().maxCoeff(), kRoundTrip);
 }
 
 TEST(Representation, GivesVelocitiesPerSecondAtAnyFrameRate) {
-  const Motion fast = turning_motion(120.0);
+  const Motion fast = turning_motion(120.0, 4.0);
   const auto rep = fit_representation({fast}, Eigen::Quaterniond::Identity());
   const FrameMatrix at120 = encode(rep, fast);
   const FrameMatrix at30 = encode(rep, motion::resample(fast, 30.0));
@@ -101,7 +60,7 @@ TEST(Representation, OfAStraightWalkIsItsSpeed) {
 }
 
 TEST(Representation, StaysNearZeroForJointsRestingFarFromIdentity) {
-  const Motion clip = turning_motion(30.0);  // its joints rest about two radians from identity
+  const Motion clip = turning_motion(30.0, 4.0);  // its joints rest about two radians from identity
   const FrameMatrix rows = encode(fit_representation({clip}, Eigen::Quaterniond::Identity()), clip);
   EXPECT_LT(rows.rightCols(rows.cols() - kNumRootDofs).cwiseAbs().maxCoeff(), 1.0);
 }
@@ -134,7 +93,7 @@ TEST(Representation, StreamsTheSameRowsAsTheWholeClipAfterTheFirst) {
 }
 
 TEST(Normalization, IsUndoneByDenormalizing) {
-  const Motion clip = turning_motion(30.0);
+  const Motion clip = turning_motion(30.0, 4.0);
   const FrameMatrix rows = encode(fit_representation({clip}, Eigen::Quaterniond::Identity()), clip);
   const auto normalization = fit_normalization({rows});
   const FrameMatrix normal = normalization.normalize(rows);

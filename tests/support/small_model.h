@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A body of six joints, a motion of it, and a style model made by hand: small enough to reason about.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include <strut/model/style_model.h>
+#include <strut/motion/motion.h>
+
+namespace strut::test {
+
+/// root -> pelvis -> {left, right, spine -> head}: a chain above the pelvis, as real files have.
+std::shared_ptr<const Skeleton> small_body();
+
+/// The small body walking along +Z while it turns, its joints resting far from identity.
+Motion turning_motion(double frame_rate, double duration);
+
+/// A model whose blocks copy every input degree of freedom: both styles alike, log time warp `log_time_warp`
+/// throughout.
+StyleModelParts copying_parts(const Motion& clip, double log_time_warp = 0.0);
+
+inline std::shared_ptr<const StyleModel> copying_model(const Motion& clip, double log_time_warp = 0.0) {
+  return std::make_shared<const StyleModel>(copying_parts(clip, log_time_warp));
+}
+
+/// The largest distance between joints [m] and between joint rotations (sine of half the angle) of two motions.
+double largest_difference(const Motion& a, const Motion& b);
+
+}  // namespace strut::test

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "support/small_model.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <strut/core/error.h>
+#include <strut/motion/kinematics.h>
+#include <strut/motion/resample.h>
+#include <strut/translate/translate_motion.h>
+#include <strut/translate/translator.h>
+
+namespace strut {
+namespace {
+
+constexpr double kRoundTrip = 1e-9;  // encode, copy, decode [m]
+
+TEST(TranslateMotion, OfACopyingModelIsTheIdentity) {
+  const Motion clip = test::turning_motion(30.0, 3.0);
+  EXPECT_LT(test::largest_difference(translate_motion(test::copying_model(clip), clip), clip), kRoundTrip);
+}
+
+TEST(TranslateMotion, RetimesUnlessToldNotTo) {
+  const Motion clip = test::turning_motion(30.0, 3.0);
+  const auto slower = test::copying_model(clip, std::log(1.5));
+  EXPECT_EQ(translate_motion(slower, clip).num_frames(), 134);  // 89 intervals, each half as long again, and one
+  EXPECT_EQ(translate_motion(slower, clip, {.retime = false}).num_frames(), clip.num_frames());
+  EXPECT_EQ(translate_motion(slower, clip, {.strength = 0.0}).num_frames(), clip.num_frames());
+}
+
+TEST(TranslateMotion, ResamplesOtherFrameRatesThereAndBack) {
+  const Motion clip = test::turning_motion(120.0, 3.0);
+  Diagnostics diagnostics;
+  const Motion result = translate_motion(test::copying_model(motion::resample(clip, 30.0)), clip, {}, &diagnostics);
+  EXPECT_EQ(result.frame_rate(), 120.0);
+  EXPECT_NEAR(result.duration(), clip.duration(), 0.05);
+  EXPECT_EQ(diagnostics.entries().size(), 1U);
+}
+
+TEST(TranslateMotion, IsBlindToWhereTheClipStands) {
+  const Motion clip = test::turning_motion(30.0, 2.0);
+  auto parts = test::copying_parts(clip);
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 1);
+  for (auto& block : parts.blocks) block.system = sysid::LtiSystem(0.5 * one, one, 0.3 * one, 0.7 * one);
+  const auto model = std::make_shared<const StyleModel>(std::move(parts));
+  const Motion moved = motion::moved(clip, {2, 0, 5}, 1.0);
+  EXPECT_LT(test::largest_difference(motion::moved(translate_motion(model, clip), {2, 0, 5}, 1.0),
+                                     translate_motion(model, moved)),
+            kRoundTrip);
+}
+
+TEST(TranslateMotion, RefusesOtherSkeletonsAndShortClips) {
+  const Motion clip = test::turning_motion(30.0, 1.0);
+  const auto model = test::copying_model(clip);
+  const auto other = std::make_shared<const Skeleton>(std::vector<Joint>{{"hips", -1}, {"a", 0}, {"b", 0}});
+  EXPECT_THROW(translate_motion(model, Motion(other, 30.0, {rest_pose(*other), rest_pose(*other)})), SkeletonMismatch);
+  EXPECT_THROW(translate_motion(model, clip.slice(0, 1)), InvalidArgument);
+  EXPECT_THROW(translate_motion(model, clip, {.strength = 2.0}), InvalidArgument);
+  EXPECT_THROW(translate_motion(model, clip, {.warm_up = -1.0}), InvalidArgument);
+}
+
+TEST(TranslateMotion, AcceptsOtherBoneLengths) {
+  const Motion clip = test::turning_motion(30.0, 1.0);
+  auto joints = clip.skeleton().joints();
+  joints[5].offset *= 1.5;
+  std::vector<Pose> frames = clip.frames();
+  for (Pose& pose : frames) pose.translations[5] *= 1.5;
+  const Motion taller(std::make_shared<const Skeleton>(joints), 30.0, frames);
+  EXPECT_LT(test::largest_difference(translate_motion(test::copying_model(clip), taller), taller), kRoundTrip);
+}
+
+TEST(Translator, GivesTheInputBackThroughACopyingModelAtAnyStrength) {
+  const Motion clip = test::turning_motion(30.0, 2.0);
+  for (const double strength : {0.0, 0.5, 1.0, 1.5}) {
+    Translator translator(test::copying_model(clip, 0.2), strength);
+    std::vector<Pose> frames(clip.frames().size());
+    for (std::size_t t = 0; t < frames.size(); ++t) translator.push(clip.frames()[t], frames[t]);
+    EXPECT_LT(test::largest_difference(Motion(clip.shared_skeleton(), 30.0, frames), clip), kRoundTrip) << strength;
+    EXPECT_NEAR(translator.time_warp(), std::exp(0.2 * strength), 1e-12);
+  }
+}
+
+TEST(Translator, StrengthZeroIsTheInputWhateverTheModel) {
+  const Motion clip = test::turning_motion(30.0, 2.0);
+  auto parts = test::copying_parts(clip);
+  for (auto& block : parts.blocks) {
+    block.system =
+        sysid::LtiSystem({}, Eigen::MatrixXd(0, 1), Eigen::MatrixXd(1, 0), 0.5 * Eigen::MatrixXd::Ones(1, 1));
+  }
+  const auto model = std::make_shared<const StyleModel>(std::move(parts));
+  EXPECT_LT(test::largest_difference(translate_motion(model, clip, {.strength = 0.0}), clip), kRoundTrip);
+  EXPECT_GT(test::largest_difference(translate_motion(model, clip, {.strength = 1.0}), clip), 0.1);
+}
+
+TEST(Translator, ChangesNothingWhenItRefusesAFrame) {
+  const Motion clip = test::turning_motion(30.0, 1.0);
+  Translator a(test::copying_model(clip));
+  Translator b(test::copying_model(clip));
+  Pose bad = clip.frame(5);
+  bad.translations[2].x() = NAN;
+  Pose from_a, from_b;
+  for (int t = 0; t < clip.num_frames(); ++t) {
+    if (t == 5) {
+      EXPECT_THROW(a.push(bad, from_a), InvalidArgument);
+    }
+    a.push(clip.frame(t), from_a);
+    b.push(clip.frame(t), from_b);
+    EXPECT_EQ(from_a, from_b) << t;
+  }
+  bad = clip.frame(5);
+  bad.rotations.pop_back();
+  EXPECT_THROW(a.push(bad, from_a), InvalidArgument);
+}
+
+TEST(Translator, ForgetsOnReset) {
+  const Motion clip = test::turning_motion(30.0, 1.0);
+  Translator translator(test::copying_model(clip));
+  Pose first, again;
+  translator.push(clip.frame(0), first);
+  translator.push(clip.frame(20), again);
+  translator.reset();
+  translator.push(clip.frame(0), again);
+  EXPECT_EQ(first, again);
+}
+
+}  // namespace
+}  // namespace strut
