@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Folds of groups of clips, and the smallest order that fits left-out clips nearly as well as the best.
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include <strut/core/error.h>
+#include <strut/sysid/order.h>
+
+namespace strut::sysid {
+
+std::vector<int> assign_folds(const std::vector<int>& groups, const std::vector<int>& weights, int num_folds) {
+  if (groups.size() != weights.size()) {
+    throw InvalidArgument("groups", std::to_string(weights.size()) + " elements", std::to_string(groups.size()));
+  }
+  if (num_folds < 1) throw InvalidArgument("num_folds", "1 or more", std::to_string(num_folds));
+  std::map<int, long> totals;
+  for (std::size_t k = 0; k < groups.size(); ++k) totals[groups[k]] += weights[k];
+  std::vector<std::pair<int, long>> heaviest_first(totals.begin(), totals.end());
+  std::stable_sort(heaviest_first.begin(), heaviest_first.end(),
+                   [](const auto& one, const auto& other) { return one.second > other.second; });
+  std::vector<long> fold_weight(std::max<std::size_t>(1, std::min<std::size_t>(totals.size(), num_folds)), 0);
+  std::map<int, int> fold_of;
+  for (const auto& [group, weight] : heaviest_first) {
+    const auto lightest = std::min_element(fold_weight.begin(), fold_weight.end());
+    fold_of[group] = static_cast<int>(lightest - fold_weight.begin());
+    *lightest += weight;
+  }
+  std::vector<int> folds;
+  for (const int group : groups) folds.push_back(fold_of.at(group));
+  return folds;
+}
+
+int smallest_good_order(const std::vector<double>& fits, double tolerance) {
+  if (fits.empty()) throw InvalidArgument("fits", "at least one order", "none");
+  const double best = *std::max_element(fits.begin(), fits.end());
+  const auto good = std::find_if(fits.begin(), fits.end(), [&](double fit) { return fit >= best - tolerance; });
+  return static_cast<int>(good - fits.begin());
+}
+
+}  // namespace strut::sysid
