@@ -19,7 +19,7 @@ struct FootplantDetectorOptions {
   double least_speed = 0.15;     ///< but below this many leg lengths a second a foot always counts as slow
   double height = 0.06;          ///< higher than this above its ground level [leg lengths], it has not landed
   double leaving_height = 0.12;  ///< higher than this, it has left; at least height
-  double longest_gap = 0.10;     ///< shorter interruptions are closed if the foot does not go anywhere meanwhile [s]
+  double longest_gap = 0.12;     ///< shorter interruptions are closed if the foot does not go anywhere meanwhile [s]
   double shortest_plant = 0.08;  ///< shorter footplants are dropped, but for those cut by the clip's ends [s]
 };
 
