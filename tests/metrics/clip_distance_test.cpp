@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metrics/test_body.h"
+#include "support/data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <strut/core/error.h>
+#include <strut/io/bvh.h>
 #include <strut/metrics/clip_distance.h>
 #include <strut/motion/kinematics.h>
 #include <strut/motion/resample.h>
@@ -140,6 +142,35 @@ TEST(ClipDistance, RefusesAnotherSkeletonByName) {
     FAIL() << "accepted";
   } catch (const SkeletonMismatch& error) {
     EXPECT_STREQ(error.what(), "the clips have different skeletons: missing 'head'; unknown 'skull'");
+  }
+}
+
+// Computed once by an independent implementation (Python, SciPy, double precision) of the definition in the header.
+struct Reference {
+  const char* first;
+  const char* second;
+  double distance_cm;
+};
+
+constexpr double kOfReference = 1e-5;  // relative: frame times are printed to six digits, positions to five
+
+TEST(ClipDistance, AgreesWithAnIndependentImplementationOnRealClips) {
+  STRUT_REQUIRE_REAL_DATA();
+  const std::string folder = strut::test::real_data() + "/bandai-namco/dataset-2_";
+  for (const Reference& reference : {
+           Reference{"walk_normal_013", "walk_elderly_013", 4.6720829},
+           Reference{"walk_active_005", "walk_active_014", 2.9755942},
+           Reference{"run_normal_015", "run_active_014", 4.9275217},
+           Reference{"walk-turn-left_normal_016", "walk-turn-left_feminine_016", 3.6191724},
+           Reference{"wave-left-hand_normal_014", "wave-left-hand_active_013", 5.4320667},
+           Reference{"raise-up-right-hand_elderly_009", "raise-up-right-hand_elderly_017", 2.3733535},
+           Reference{"walk_feminine_013", "wave-both-hands_normal_013", 12.9187192},
+       }) {
+    const Motion first = read_bvh(folder + reference.first + ".bvh").motion;
+    const Motion second = read_bvh(folder + reference.second + ".bvh").motion;
+    EXPECT_NEAR(100.0 * clip_distance(first, second).distance, reference.distance_cm,
+                kOfReference * reference.distance_cm)
+        << reference.first << " and " << reference.second;
   }
 }
 
