@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Which moment of one signal belongs to which moment of another. Every alignment method of this folder ends in a
+// Correspondence: for each frame of the input, how many frames of the output pass meanwhile (Hsu et al. 2005, 3.4).
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <strut/math/frame_matrix.h>
+
+namespace strut::align {
+
+/// Every input frame's place in the output's time. Output frame j covers the time [j, j + 1) and is centred on j + 1/2.
+struct Correspondence {
+  Eigen::VectorXd differential_warp;  ///< output frames per input frame, > 0, sums to output frames (input frames)
+
+  /// The position [output frames, within 0 ... output frames - 1] that belongs to each input frame: the middle of the
+  /// stretch of output it covers. Rises strictly but for the ends, where it may be clamped. (input frames)
+  [[nodiscard]] Eigen::VectorXd output_time() const;
+};
+
+/// The correspondence of repetition counts against an output lengthened `slope_limit` times: counts / slope_limit.
+Correspondence from_repetitions(const std::vector<int>& repetitions, int slope_limit);
+
+/// The smoothest curve near a differential warp: minimizes |v - w|^2 + smoothness |Dv|^2 with D the first difference.
+/// Each value becomes a weighted mean of its neighbours with weights falling as exp(-distance / sqrt(smoothness)), so
+/// the result stays between the smallest and largest value of `w` (positive, within the slope limits) and keeps its
+/// sum. `smoothness` [frames^2] >= 0; 0 changes nothing. Throws InvalidArgument if it is negative or anything is not
+/// finite. Cost O(frames).
+Eigen::VectorXd smooth_differential_warp(const Eigen::Ref<const Eigen::VectorXd>& w, double smoothness);
+
+/// The share (0 ... 1) of frames that run at the slope limit, in either direction: w <= 1/limit or w >= limit. Integer
+/// repetitions visit the limit often; take it of the smoothed warp to judge whether a pair runs along its limit.
+double share_at_slope_limit(const Eigen::Ref<const Eigen::VectorXd>& w, double slope_limit);
+
+/// The output at the moments that belong to the input's frames, linearly interpolated. `output` (output frames x dofs).
+/// Returns (input frames x dofs). Throws InvalidArgument if the correspondence is of another number of output frames.
+FrameMatrix warp_to_input(const Eigen::Ref<const FrameMatrix>& output, const Correspondence& correspondence);
+
+}  // namespace strut::align
