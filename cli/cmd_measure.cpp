@@ -17,6 +17,8 @@
 #include <strut/metrics/foot_slide.h>
 #include <strut/metrics/gait.h>
 #include <strut/metrics/smoothness.h>
+#include <strut/motion/legs.h>
+#include <strut/postprocess/footplant_detector.h>
 
 namespace strut::cli {
 namespace {
@@ -41,6 +43,8 @@ struct Clip {
 /// What was measured of one clip.
 struct Figures {
   metrics::FootSlide slide;
+  metrics::FootSlide planted;  ///< in the footplants that are detected
+  int num_footplants = 0;
   metrics::Smoothness smoothness;
   metrics::Gait gait;
   std::vector<metrics::ClipDistance> distances;  ///< to each of the other clips
@@ -84,8 +88,13 @@ Figures measure(const Clip& clip, const std::vector<Clip>& others) {
     const double rate = metrics::measuring_rate(clip.motion.frame_rate());
     const bool same_rate = rate == metrics::kComparisonRate;
     const metrics::BodyTrack track = same_rate ? clip.track : metrics::body_track(clip.motion, rate);
-    return Figures{metrics::foot_slide(track), metrics::smoothness(clip.motion), metrics::gait(track),
-                   distances_to(clip, others)};
+    const auto plants = postprocess::detect_footplants(clip.motion, motion::find_legs(clip.motion).value());
+    return Figures{.slide = metrics::foot_slide(track),
+                   .planted = metrics::foot_slide(track, plants),
+                   .num_footplants = static_cast<int>(plants.size()),
+                   .smoothness = metrics::smoothness(clip.motion),
+                   .gait = metrics::gait(track),
+                   .distances = distances_to(clip, others)};
   });
 }
 
@@ -115,10 +124,14 @@ std::string told(const Clip& clip, const metrics::Place& place) {
 // ---- for a person ---------------------------------------------------------------------------------------------------
 
 void print_figures(const Clip& clip, const Figures& figures) {
-  const auto& [slide, smoothness, gait, distances] = figures;
+  const auto& [slide, planted, num_footplants, smoothness, gait, distances] = figures;
   fmt::print("{}: {} frames at {:g} frames/s\n", clip.path, clip.motion.num_frames(), clip.motion.frame_rate());
   fmt::print("  foot slide  {:8.2f} cm/s     worst {:.2f} cm/s: {}\n", kCmPerMetre * slide.speed,
              kCmPerMetre * slide.worst_speed, told(clip, slide.worst));
+  if (planted.worst.joint >= 0) {
+    fmt::print("  in plants   {:8.2f} cm/s     worst {:.2f} cm/s: {}; {} footplants\n", kCmPerMetre * planted.speed,
+               kCmPerMetre * planted.worst_speed, told(clip, planted.worst), num_footplants);
+  }
   fmt::print("  jerk        {:8.1f} m/s^3    worst {:.0f} m/s^3: {}\n", smoothness.jerk, smoothness.worst_jerk,
              told(clip, smoothness.worst));
   fmt::print("  largest pop {:8.2f} cm       {}\n", kCmPerMetre * smoothness.pop, told(clip, smoothness.worst_pop));
@@ -165,10 +178,15 @@ Json json_worst(const Clip& clip, const char* key, double value, const metrics::
 }
 
 Json json_figures(const Clip& clip, const Figures& figures) {
-  const auto& [slide, smoothness, gait, distances] = figures;
+  const auto& [slide, planted, num_footplants, smoothness, gait, distances] = figures;
   Json json{{"path", clip.path}, {"frames", clip.motion.num_frames()}, {"frame_rate", clip.motion.frame_rate()}};
   json["foot_slide_cm_per_s"] = kCmPerMetre * slide.speed;
   json["worst_foot_slide"] = json_worst(clip, "cm_per_s", kCmPerMetre * slide.worst_speed, slide.worst);
+  json["footplants"] = num_footplants;
+  if (planted.worst.joint >= 0) {
+    json["planted_slide_cm_per_s"] = kCmPerMetre * planted.speed;
+    json["worst_planted_slide"] = json_worst(clip, "cm_per_s", kCmPerMetre * planted.worst_speed, planted.worst);
+  }
   json["jerk_m_per_s3"] = smoothness.jerk;
   json["worst_jerk"] = json_worst(clip, "m_per_s3", smoothness.worst_jerk, smoothness.worst);
   json["largest_pop"] = json_worst(clip, "cm", kCmPerMetre * smoothness.pop, smoothness.worst_pop);

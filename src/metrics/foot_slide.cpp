@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <strut/core/error.h>
 #include <strut/metrics/foot_slide.h>
@@ -12,6 +13,7 @@ namespace strut::metrics {
 namespace {
 
 constexpr double kStandingSeconds = 0.15;  // shorter than the stance of a sprint, longer than a frame at 24 frames/s
+constexpr double kRowRounding = 1e-9;      // a plant's end falls on a row if it misses it by less than this
 
 struct Stretch {
   double speed;
@@ -58,6 +60,24 @@ void check(const motion::Footplant& plant, const BodyTrack& track) {
   }
 }
 
+/// The rows [begin, end) of the track that lie inside a plant.
+std::pair<Eigen::Index, Eigen::Index> rows_of(const motion::Footplant& plant, const BodyTrack& track) {
+  const double rows_per_frame = track.rate / track.source_rate;
+  const double last = std::floor((plant.end - 1) * rows_per_frame + kRowRounding);
+  return {static_cast<Eigen::Index>(std::ceil(plant.begin * rows_per_frame - kRowRounding)),
+          std::min<Eigen::Index>(track.num_frames(), static_cast<Eigen::Index>(last) + 1)};
+}
+
+/// How far the foot's slower end moves over the ground in the rows [begin, end) [m].
+double slide_between(const BodyTrack& track, std::size_t side, Eigen::Index begin, Eigen::Index end) {
+  double slid = 0.0;
+  for (Eigen::Index row = begin; row + 1 < end; ++row) {
+    slid += std::min(ground_distance(track.ankles_world[side], row, row + 1),
+                     ground_distance(track.toes_world[side], row, row + 1));
+  }
+  return slid;
+}
+
 }  // namespace
 
 FootSlide foot_slide(const BodyTrack& track) {
@@ -70,18 +90,15 @@ FootSlide foot_slide(const BodyTrack& track) {
 }
 
 FootSlide foot_slide(const BodyTrack& track, const std::vector<motion::Footplant>& plants) {
-  const double rows_per_frame = track.rate / track.source_rate;
   std::vector<Stretch> slides;
   double length = 0.0;
   double duration = 0.0;
   for (const motion::Footplant& plant : plants) {
     check(plant, track);
     const auto side = static_cast<std::size_t>(plant.foot);
-    const auto begin = static_cast<Eigen::Index>(std::ceil(plant.begin * rows_per_frame));
-    const auto end = std::min<Eigen::Index>(
-        track.num_frames(), static_cast<Eigen::Index>(std::floor((plant.end - 1) * rows_per_frame)) + 1);
+    const auto [begin, end] = rows_of(plant, track);
     if (end - begin < 2) continue;
-    const double slid = ground_path(track.toes_world[side].middleRows(begin, end - begin));
+    const double slid = slide_between(track, side, begin, end);
     const double seconds = static_cast<double>(end - begin - 1) / track.rate;
     slides.push_back({slid / seconds, track.place(track.toes[side], 0.5 * static_cast<double>(begin + end - 1))});
     length += slid;

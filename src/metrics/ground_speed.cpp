@@ -2,15 +2,12 @@
 #include "metrics/ground_speed.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace strut::metrics {
-namespace {
-
 double ground_distance(const Eigen::Ref<const FrameMatrix>& path, Eigen::Index from, Eigen::Index to) {
   return std::hypot(path(to, 0) - path(from, 0), path(to, 2) - path(from, 2));
 }
-
-}  // namespace
 
 Eigen::VectorXd ground_speed(const Eigen::Ref<const FrameMatrix>& path, double rate) {
   Eigen::VectorXd speed(path.rows());

@@ -8,6 +8,9 @@
 
 namespace strut::metrics {
 
+/// Horizontal distance between two rows of a path (T x 3) [m].
+double ground_distance(const Eigen::Ref<const FrameMatrix>& path, Eigen::Index from, Eigen::Index to);
+
 /// Horizontal speed at each row of a path [m] (T x 3) sampled at `rate`: central differences, one-sided at the ends.
 /// [m/s] (T), T >= 2.
 Eigen::VectorXd ground_speed(const Eigen::Ref<const FrameMatrix>& path, double rate);

@@ -63,7 +63,7 @@ TEST(FootSlide, MeasuresAClipShorterThanAFootplant) {
 }
 
 TEST(FootSlideOfPlants, IsTheMeanOverPlantedFrames) {
-  const auto slip = [](Pose& pose, double t) { pose.translations[test::kToeL].x() += 0.1 * std::max(0.0, t - 1.0); };
+  const auto slip = [](Pose& pose, double t) { pose.translations[test::kAnkleL].x() += 0.1 * std::max(0.0, t - 1.0); };
   const BodyTrack track = track_of(test_motion(61, 30.0, slip));
   const FootSlide slide = foot_slide(track, {{0, 0, 31}, {0, 30, 61}, {1, 0, 61}});
   EXPECT_NEAR(slide.speed, 0.1 / 4.0, kRounding);  // ten centimetres over one, one and two seconds
@@ -73,10 +73,18 @@ TEST(FootSlideOfPlants, IsTheMeanOverPlantedFrames) {
 }
 
 TEST(FootSlideOfPlants, TakesFramesOfTheGivenClip) {
-  const auto slip = [](Pose& pose, double t) { pose.translations[test::kToeL].x() += 0.1 * t; };
+  const auto slip = [](Pose& pose, double t) { pose.translations[test::kAnkleL].x() += 0.1 * t; };
   const FootSlide slide = foot_slide(track_of(test_motion(241, 120.0, slip)), {{0, 120, 241}});
   EXPECT_NEAR(slide.speed, 0.1, kRounding);
   EXPECT_EQ(slide.worst.frame, 180);
+}
+
+TEST(FootSlideOfPlants, IgnoresAFootThatRollsOverItsToe) {
+  const Motion roll = test_motion(31, 30.0, [](Pose& pose, double t) {
+    pose.translations[test::kAnkleL].z() += 0.1 * t;
+    pose.translations[test::kToeL].z() -= 0.1 * t;
+  });
+  EXPECT_NEAR(foot_slide(track_of(roll), {{0, 0, 31}}).speed, 0.0, kRounding);
 }
 
 TEST(FootSlideOfPlants, WithoutAPlantIsNothing) {

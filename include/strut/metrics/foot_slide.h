@@ -12,9 +12,9 @@ namespace strut::metrics {
 
 /// A slide and the foot and moment at which it is worst.
 struct FootSlide {
-  double speed = 0.0;        ///< horizontal speed of the toes where they stand [m/s]
+  double speed = 0.0;        ///< over the ground, where feet ought to stand [m/s]
   double worst_speed = 0.0;  ///< in the worst second or plant [m/s]
-  Place worst;               ///< the toe joint and the middle of that stretch
+  Place worst;               ///< the foot (its toe joint) and the middle of that stretch
 };
 
 /// Slide without knowing when feet are planted: the median, over both feet and every whole second, of the slowest
@@ -22,9 +22,10 @@ struct FootSlide {
 /// Throws InvalidArgument for fewer than two frames. Cost O(frames).
 FootSlide foot_slide(const BodyTrack& track);
 
-/// Slide while planted: the mean over all planted frames. `plants` in the frames of the clip that the track was made
-/// from, foot 0 = left, 1 = right; speed 0 and joint -1 if none covers two frames of the track.
-/// Throws InvalidArgument if a plant names another foot or lies outside the clip. Cost O(frames).
+/// Slide while planted: the mean over all planted frames of the speed of the foot's slower end, ankle or toe, so that
+/// rolling over heel or toe is no slide. `plants` in the frames of the clip that the track was made from, foot 0 =
+/// left, 1 = right; speed 0 and joint -1 if none covers two frames of the track. Throws InvalidArgument if a plant
+/// names another foot or lies outside the clip. Cost O(frames).
 FootSlide foot_slide(const BodyTrack& track, const std::vector<motion::Footplant>& plants);
 
 }  // namespace strut::metrics
