@@ -126,8 +126,9 @@ class HierarchyParser {
 };
 
 void parse_frame_time(BvhCursor& cursor, BvhHeader& header) {
-  cursor.expect_word("Frame");
-  cursor.expect_word("Time");
+  cursor.skip_space();
+  const std::size_t line_begin = cursor.position();
+  if (!cursor.accept_word("Frame") || !cursor.accept_word("Time")) cursor.fail(line_begin, "'Frame Time:'");
   cursor.expect_mark(':');
   cursor.skip_blanks();
   const std::size_t begin = cursor.position();
@@ -150,7 +151,7 @@ BvhHeader parse_header(BvhCursor& cursor) {
   if (header.num_channels == 0) {
     cursor.fail_with(cursor.position(), "a skeleton with channels", "none", "a motion needs CHANNELS on some joint");
   }
-  cursor.expect_word("Frames");
+  if (!cursor.accept_word("Frames")) cursor.fail(cursor.position(), "'Frames:'");
   cursor.expect_mark(':');
   cursor.skip_blanks();
   header.num_frames_begin = cursor.position();

@@ -87,8 +87,9 @@ class RowParser {
   }
 
   [[noreturn]] void fail_short(std::size_t column) const {
-    cursor_.fail(cursor_.position(),
-                 std::to_string(num_channels_) + " numbers in the row (" + std::to_string(column) + " are there)");
+    const std::string expected =
+        std::to_string(num_channels_) + " numbers in the row (" + std::to_string(column) + " are there)";
+    cursor_.fail(cursor_.at_line_end() ? cursor_.position() : cursor_.text().size(), expected);
   }
 
   double parse_unusual(std::size_t column) {

@@ -6,7 +6,7 @@
 #include "bvh_units.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <utility>
 
 #include <strut/io/bvh.h>
@@ -30,8 +30,7 @@ struct Units {
 
 std::string short_number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
 }
 
 void report_units(const Units& units, double height, const BvhReadOptions& options, const std::string& name,

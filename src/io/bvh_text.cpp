@@ -159,8 +159,6 @@ std::string BvhCursor::describe(std::size_t position) const {
   if (position >= text_.size()) return "end of file";
   const char c = text_[position];
   if (c == '\n' || c == '\r') return "end of line";
-  if (c == '\t') return "tab";
-  if (c == ' ') return "space";
   if (c == '\0') return "a zero byte";
   std::size_t end = position + 1;
   while (end < text_.size() && !is_space(text_[end]) && text_[end] != '{' && text_[end] != '}') ++end;

@@ -53,7 +53,7 @@ class BvhCursor {
   /// Why the text at `position` is no number: throws ParseError; or returns its value if it is one after all (a plus
   /// sign in front, too small for a double) and moves `position` behind it.
   double number_or_fail(std::size_t& position) const;
-  /// What stands at `position`, for a message: "'word'", "end of line", "tab", "end of file".
+  /// What stands at `position`, for a message: "'word'", "end of line", "end of file".
   [[nodiscard]] std::string describe(std::size_t position) const;
   /// `name:line`, for a diagnostic.
   [[nodiscard]] std::string line_label(std::size_t position) const;

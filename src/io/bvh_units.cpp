@@ -36,7 +36,9 @@ BodyExtent body_extent(const Skeleton& skeleton, const Pose& pose) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   };
-  for (int j = skeleton.pelvis(); j < skeleton.num_joints(); ++j) {
+  // What only carries the body about does not count; in a skeleton that never branches, everything does.
+  const int begin = skeleton.children(skeleton.pelvis()).empty() ? 0 : skeleton.pelvis();
+  for (int j = begin; j < skeleton.num_joints(); ++j) {
     const auto index = static_cast<std::size_t>(j);
     include(world.positions[index]);
     const Joint& joint = skeleton.joint(j);

@@ -9,7 +9,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <utility>
 
@@ -23,7 +22,8 @@ using io::detail::JointColumns;
 using Angles = std::array<double, 3>;
 
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
-constexpr int kDecimals = 6;               // half a unit of the last place is 5e-7 degrees
+constexpr int kDecimals = 6;  // half a unit of the last place is 5e-7 degrees
+constexpr int kFrameTimeDecimals = 8;
 constexpr double kSameRotation = 1e-7;     // [rad] = 6e-6 degrees, below the 1e-5 that a kept number may differ by
 constexpr double kLostTranslation = 1e-4;  // [m]: files print rigid bones with rounding well below this
 constexpr double kLostRotation = 1e-3;     // [rad]
@@ -33,9 +33,7 @@ constexpr std::size_t kMostNames = 5;
 void append_number(std::string& text, double value) {
   char buffer[400];  // the largest double has 309 digits before the point
   if (std::abs(value) < 5e-7) value = 0.0;
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, kDecimals);
-  static_cast<void>(error);
-  text.append(buffer, end);
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, kDecimals).ptr);
 }
 
 /// Joints as they follow each other in a file: every joint's descendants right behind it.
@@ -133,15 +131,15 @@ class HeaderText {
   std::string text_;
 };
 
+/// As short as most files have it if that reads back as the same rate, else with every digit.
 std::string frame_time_text(double frame_rate) {
-  char buffer[32];
+  char buffer[400];
+  char* const last = buffer + sizeof buffer;
   const double frame_time = 1.0 / frame_rate;
-  if (io::detail::snapped_frame_rate(frame_time) == frame_rate) {
-    std::snprintf(buffer, sizeof buffer, "%.8f", frame_time);
-    return buffer;
-  }
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, frame_time);
-  static_cast<void>(error);
+  char* end = std::to_chars(buffer, last, frame_time, std::chars_format::fixed, kFrameTimeDecimals).ptr;
+  double printed = 0.0;
+  std::from_chars(buffer, end, printed);
+  if (io::detail::snapped_frame_rate(printed) != frame_rate) end = std::to_chars(buffer, last, frame_time).ptr;
   return {buffer, end};
 }
 
