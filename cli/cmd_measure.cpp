@@ -232,6 +232,7 @@ void run(const MeasureOptions& options) {
   const auto others = read_clips(options.against, diagnostics);
   print_diagnostics(diagnostics);
   std::vector<Figures> all;
+  all.reserve(clips.size());
   for (const Clip& clip : clips) all.push_back(measure(clip, others));
   if (options.json) {
     fmt::print("{}\n", json_report(clips, others, all).dump(2, ' ', false, Json::error_handler_t::replace));

@@ -85,6 +85,7 @@ FootSlide foot_slide(const BodyTrack& track) {
   std::vector<Stretch> slowest;
   for (const std::size_t side : {0, 1}) add_slowest(track, side, slowest);
   std::vector<double> speeds;
+  speeds.reserve(slowest.size());
   for (const Stretch& stretch : slowest) speeds.push_back(stretch.speed);
   return with_worst(median(speeds), slowest);
 }
