@@ -12,6 +12,9 @@ namespace {
 // Warps are sums of up to thousands of fractions; two that differ by less are the same.
 constexpr double kRounding = 1e-9;
 
+// How near the slope limit counts as at it.
+constexpr double kNearLimit = 0.05;
+
 }  // namespace
 
 Eigen::VectorXd Correspondence::output_time() const {
@@ -53,8 +56,7 @@ Eigen::VectorXd smooth_differential_warp(const Eigen::Ref<const Eigen::VectorXd>
 
 double share_at_slope_limit(const Eigen::Ref<const Eigen::VectorXd>& w, double slope_limit) {
   if (w.size() == 0) return 0.0;
-  const double high = slope_limit * (1.0 - kRounding);
-  const auto at_limit = w.array() >= high || w.array() * high <= 1.0;
+  const auto at_limit = w.array() >= (1.0 - kNearLimit) * slope_limit || w.array() * slope_limit <= 1.0 + kNearLimit;
   return static_cast<double>(at_limit.count()) / static_cast<double>(w.size());
 }
 

@@ -73,6 +73,13 @@ TEST(ShareAtSlopeLimit, CountsBothDirections) {
   EXPECT_DOUBLE_EQ(share_at_slope_limit(from_repetitions({1, 9}, 3).differential_warp, 3), 1.0);
 }
 
+TEST(ShareAtSlopeLimit, SeesASmoothedWarpRunAlongIt) {
+  std::vector<int> counts(40, 2);
+  std::fill(counts.begin(), counts.begin() + 20, 4);
+  const Eigen::VectorXd w = smooth_differential_warp(from_repetitions(counts, 2).differential_warp, 10.0);
+  EXPECT_NEAR(share_at_slope_limit(w, 2), 0.4, 0.1);  // half of it, less the edge that smoothing takes off
+}
+
 TEST(WarpToInput, UndoesAKnownRepetition) {
   const FrameMatrix input = test::smooth_curves(20, 3, 5);
   const std::vector<int> counts(20, 2);

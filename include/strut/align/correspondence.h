@@ -30,8 +30,9 @@ Correspondence from_repetitions(const std::vector<int>& repetitions, int slope_l
 /// finite. Cost O(frames).
 Eigen::VectorXd smooth_differential_warp(const Eigen::Ref<const Eigen::VectorXd>& w, double smoothness);
 
-/// The share (0 ... 1) of frames that run at the slope limit, in either direction: w <= 1/limit or w >= limit. Integer
-/// repetitions visit the limit often; take it of the smoothed warp to judge whether a pair runs along its limit.
+/// The share (0 ... 1) of frames that run at the slope limit, in either direction, give or take 5 %: w <= 1.05 / limit
+/// or w >= 0.95 * limit. Integer repetitions visit the limit often; take it of the smoothed warp, which comes near its
+/// limit only where it stays there, to judge whether a pair runs along it.
 double share_at_slope_limit(const Eigen::Ref<const Eigen::VectorXd>& w, double slope_limit);
 
 /// The output at the moments that belong to the input's frames, linearly interpolated. `output` (output frames x dofs).

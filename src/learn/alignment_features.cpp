@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <strut/learn/alignment_features.h>
+#include <strut/motion/legs.h>
+#include <strut/representation/representation.h>
+
+namespace strut::learn {
+namespace {
+
+using representation::kHeight;
+
+}  // namespace
+
+FrameMatrix alignment_features(const FrameMatrix& rows, const representation::Normalization& own,
+                               const representation::Normalization& other) {
+  FrameMatrix features = own.normalize(rows).rightCols(rows.cols() - kHeight);
+  for (Eigen::Index dof = 0; dof < features.cols(); ++dof) {
+    if (!other.is_kept(static_cast<int>(dof) + kHeight)) features.col(dof).setZero();
+  }
+  return features;
+}
+
+AlignmentPair alignment_features(const Motion& input, const Motion& output) {
+  const Eigen::Quaterniond upright = motion::upright_reference(input);
+  const auto of_input = representation::fit_representation({input}, upright);
+  const auto of_output = representation::fit_representation({output}, upright);
+  representation::check_skeleton(of_input, output.skeleton());
+  const FrameMatrix u = representation::encode(of_input, input), y = representation::encode(of_output, output);
+  const auto scaling_of_input = representation::fit_normalization({u});
+  const auto scaling_of_output = representation::fit_normalization({y});
+  return {alignment_features(u, scaling_of_input, scaling_of_output),
+          alignment_features(y, scaling_of_output, scaling_of_input)};
+}
+
+}  // namespace strut::learn
