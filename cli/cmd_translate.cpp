@@ -1,13 +1,71 @@
 // SPDX-License-Identifier: MIT
+// strut translate: puts a learnt style on a clip.
 #include "commands.h"
+#include "terminal.h"
+
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
 
 #include <strut/core/error.h>
+#include <strut/io/bvh.h>
+#include <strut/model/style_model_io.h>
+#include <strut/translate/translate_motion.h>
 
 namespace strut::cli {
+namespace {
+
+struct TranslateArguments {
+  std::string model, clip, output;
+  double strength = 1.0, warm_up = 1.0;
+  bool keep_timing = false, keep_layout = false, force = false;
+};
+
+/// A mismatch is the clip's fault in the person's eyes: say which file.
+[[noreturn]] void name_the_clip(const std::string& clip, const SkeletonMismatch& error) {
+  throw SkeletonMismatch(clip + ": error: " + error.what(),
+                         "translate motion of the character the style was learnt on");
+}
+
+void run(const TranslateArguments& arguments) {
+  check_writable(arguments.output, overwrite_if(arguments.force));
+  Diagnostics diagnostics;
+  const auto model = read_style_model(arguments.model);
+  const BvhClip clip = read_bvh(arguments.clip, {}, &diagnostics);
+  const TranslateOptions options{arguments.strength, !arguments.keep_timing, arguments.warm_up};
+  try {
+    const Motion result = translate_motion(model, clip.motion, options, &diagnostics);
+    const BvhLayout layout =
+        arguments.keep_layout ? clip.layout : default_layout(result.skeleton(), clip.layout.unit, clip.layout.up);
+    write_bvh(arguments.output, result, layout, overwrite_if(arguments.force), &diagnostics);
+    print_diagnostics(diagnostics);
+    fmt::print("{}: {} frames, {:.2f} s (input {:.2f} s)\n", arguments.output, result.num_frames(), result.duration(),
+               clip.motion.duration());
+  } catch (const SkeletonMismatch& error) {
+    name_the_clip(arguments.clip, error);
+  }
+}
+
+}  // namespace
 
 void add_translate(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("translate", "");
-  command->callback([] { throw Error("translate is still to be written"); });
+  auto arguments = std::make_shared<TranslateArguments>();
+  CLI::App* command = app.add_subcommand("translate", "Put a learnt style on a clip");
+  command->add_option("model", arguments->model, "Style model made by strut learn (.strut)")->required();
+  command->add_option("clip", arguments->clip, "BVH clip in the model's input style")->required();
+  command->add_option("-o,--output", arguments->output, "BVH file to write")->required();
+  command->add_option("--strength", arguments->strength, "How much of the style: 0 none, 1 all, up to 1.5")
+      ->check(CLI::Range(0.0, 1.5))
+      ->capture_default_str();
+  command->add_flag("--no-retime", arguments->keep_timing, "Keep the input's timing, frame for frame");
+  command->add_option("--warm-up", arguments->warm_up, "Seconds of motion extrapolated before the clip, 0 for none")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  command->add_flag("--keep-layout", arguments->keep_layout,
+                    "Write the input file's channels instead of six on the root, three elsewhere");
+  command->add_flag("--force", arguments->force, "Overwrite an existing file");
+  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace strut::cli

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Learns a style from paired clips: reads as the upper row of Figure 3 in Hsu et al. 2005.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <strut/align/iterative_motion_warping.h>
+#include <strut/core/diagnostics.h>
+#include <strut/learn/clip_pair.h>
+#include <strut/model/style_model.h>
+#include <strut/motion/motion.h>
+#include <strut/sysid/identify.h>
+
+namespace strut {
+
+struct LearnOptions {
+  align::IterativeMotionWarpingOptions alignment;  ///< its slope_limit is each pair's own
+  double time_warp_smoothness = 10.0;              ///< of the differential warp before its logarithm is modelled
+  double lead_in = 1.0;                            ///< input before each pair that the model runs over first [s]
+  sysid::IdentifyOptions identification;           ///< of every block
+  double frame_rate = 0.0;                         ///< [frames/s] clips are resampled to; 0: the first input clip's
+};
+
+/// What identification found for one block of the model.
+struct BlockReport {
+  std::string name;           ///< joint, "root" or "timing"
+  int states = 0;             ///< order chosen
+  double left_out_fit = 0.0;  ///< fit of simulated to real output on pairs left out [%]; 100 is perfect, 0 the mean
+  double fit = 0.0;           ///< the same on the pairs learnt from [%]
+};
+
+/// The least and greatest of something.
+struct Range {
+  double least = 0.0, greatest = 0.0;
+};
+
+/// What was learnt and from what.
+struct LearnReport {
+  int num_pairs = 0;                      ///< pairs learnt from
+  int num_refused = 0;                    ///< pairs whose alignment was refused
+  double seconds = 0.0;                   ///< of paired input [s]
+  Range speed;                            ///< mean over a pair, input style [m/s]
+  Range turning_rate;                     ///< mean over a pair, input style [rad/s], positive to the left
+  double duration_ratio = 1.0;            ///< output over input, mean over pairs
+  std::vector<BlockReport> blocks;        ///< in the model's order
+  std::vector<std::string> untranslated;  ///< joints that move in the output style but hardly in the input style
+};
+
+struct LearntStyle {
+  std::shared_ptr<const StyleModel> model;
+  LearnReport report;
+};
+
+/// Called as learning proceeds, from one thread at a time: what is being done, how many of how many are done.
+using Progress = std::function<void(const std::string& step, int done, int total)>;
+
+/// What to keep in the model about where it came from, as JSON, given what was learnt.
+using DescribeProvenance = std::function<std::string(const LearnReport&)>;
+
+/// Learns the translation from the clips `inputs` to the clips `outputs` by the pairs between them.
+/// All clips have one hierarchy.
+/// Throws InvalidArgument if there is no pair, a pair names a clip or frames that do not exist, or no pair can be
+/// aligned; SkeletonMismatch if hierarchies differ. Reports refused pairs and what the examples do not cover.
+/// The result does not depend on the number of threads.
+LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Motion>& outputs,
+                        const std::vector<learn::ClipPair>& pairs, const LearnOptions& options = {},
+                        const DescribeProvenance& provenance = {}, Diagnostics* diagnostics = nullptr,
+                        const Progress& progress = {});
+
+}  // namespace strut
