@@ -17,6 +17,8 @@ constexpr double kMirrorTolerance = 0.15;
 constexpr double kBoneShare = 0.02;
 // Hips nearer to each other than this share of the legs' length do not tell which way is sideways.
 constexpr double kHipShare = 0.02;
+// An ankle within this share of the leg's length of its lowest place is near the ground.
+constexpr double kGroundShare = 0.1;
 
 using Chain = std::vector<int>;
 
@@ -116,10 +118,22 @@ std::optional<Leg> leg_of(const Shape& shape, const Chain& chain) {
   return leg;
 }
 
-/// Where the foot points; without a foot, where the knee bends.
-Eigen::Vector3d forward_of(const Leg& leg, const WorldPose& world) {
-  if (leg.has_toe()) return toe_position(leg, world) - world.positions[at(leg.ankle)];
+/// Where the knee bends: ahead of the line from hip to ankle.
+Eigen::Vector3d knee_bend(const Leg& leg, const WorldPose& world) {
   return world.positions[at(leg.knee)] - 0.5 * (world.positions[at(leg.hip)] + world.positions[at(leg.ankle)]);
+}
+
+/// Where the foot points while it is near the ground; nowhere while it swings, when it may point backward.
+Eigen::Vector3d planted_foot(const Leg& leg, const WorldPose& world, double ground) {
+  if (!leg.has_toe() || world.positions[at(leg.ankle)].y() > ground) return Eigen::Vector3d::Zero();
+  return toe_position(leg, world) - world.positions[at(leg.ankle)];
+}
+
+/// Below it the ankle counts as near the ground [m].
+double near_ground(const Shape& shape, const Leg& leg) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const WorldPose& world : shape.world) lowest = std::min(lowest, world.positions[at(leg.ankle)].y());
+  return lowest + kGroundShare * (shape.bone_length[at(leg.knee)] + shape.bone_length[at(leg.ankle)]);
 }
 
 Eigen::Vector3d across_hips(const Leg& left, const Leg& right, const WorldPose& world) {
@@ -130,11 +144,15 @@ Eigen::Vector3d across_hips(const Leg& left, const Leg& right, const WorldPose& 
 
 /// Left is where the body's forward direction is square to the line from right hip to left hip.
 std::optional<Legs> tell_left_from_right(const Shape& shape, const Leg& one, const Leg& other) {
+  const double ground_of_one = near_ground(shape, one);
+  const double ground_of_other = near_ground(shape, other);
   double forward = 0.0;
   double apart = 0.0;
   for (const WorldPose& world : shape.world) {
     const Eigen::Vector3d across = across_hips(one, other, world);
-    forward += across.cross(Eigen::Vector3d::UnitY()).dot(forward_of(one, world) + forward_of(other, world));
+    const Eigen::Vector3d feet = planted_foot(one, world, ground_of_one) + planted_foot(other, world, ground_of_other);
+    const Eigen::Vector3d knees = knee_bend(one, world) + knee_bend(other, world);
+    forward += across.cross(Eigen::Vector3d::UnitY()).dot(feet + knees);
     apart += across.norm();
   }
   const double leg_length = shape.bone_length[at(one.knee)] + shape.bone_length[at(one.ankle)];

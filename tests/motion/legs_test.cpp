@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "support/data.h"
+
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include <strut/core/error.h>
+#include <strut/io/bvh.h>
 #include <strut/math/rotation.h>
 #include <strut/motion/legs.h>
 
@@ -176,6 +180,21 @@ TEST(Legs, AreNotFoundOnBodiesWithoutThem) {
   for (const int j : {kHandA, kHandB}) uneven[static_cast<std::size_t>(j)].offset.y() = 0.25;  // and no arm hangs low
   uneven[kElbowA].offset.y() = uneven[kElbowB].offset.y() = 0.3;
   EXPECT_FALSE(find_legs(still(body_with_frames(uneven, 5))).has_value());
+}
+
+TEST(Legs, HaveTheirSidesRightInEveryRealClip) {
+  STRUT_REQUIRE_REAL_DATA();
+  int clips = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(test::real_data() + "/bandai-namco")) {
+    if (entry.path().extension() != ".bvh" || ++clips % 1 != 0)
+      continue;  // every fourth: reading them all takes seconds
+    const Motion clip = read_bvh(entry.path().string()).motion;
+    const auto legs = find_legs(clip);
+    ASSERT_TRUE(legs.has_value()) << entry.path();
+    EXPECT_EQ(clip.skeleton().joint(legs->left.hip).name, "UpperLeg_L") << entry.path();
+    EXPECT_EQ(clip.skeleton().joint(legs->right.toe).name, "Toes_R") << entry.path();
+  }
+  EXPECT_GT(clips, 100);
 }
 
 TEST(UprightReference, GivesTheFacingDirectionAndNoMeanTilt) {
