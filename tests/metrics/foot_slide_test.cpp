@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <strut/core/error.h>
+#include <strut/generate/walker.h>
 #include <strut/metrics/foot_slide.h>
 
 namespace strut::metrics {
@@ -85,6 +86,13 @@ TEST(FootSlideOfPlants, IgnoresAFootThatRollsOverItsToe) {
     pose.translations[test::kToeL].z() -= 0.1 * t;
   });
   EXPECT_NEAR(foot_slide(track_of(roll), {{0, 0, 31}}).speed, 0.0, kRounding);
+}
+
+TEST(FootSlideOfPlants, OfAGeneratedWalkIsZeroInItsTrueFootplants) {
+  const generate::Walk walk = generate::generate_walk(generate::WalkContent{}, generate::WalkStyle{}, 60.0);
+  const FootSlide slide = foot_slide(body_track(walk.motion, 60.0), walk.footplants);
+  EXPECT_GE(slide.worst.joint, 0);
+  EXPECT_LT(slide.worst_speed, kRounding);
 }
 
 TEST(FootSlideOfPlants, WithoutAPlantIsNothing) {
