@@ -67,7 +67,7 @@ TEST(Identify, TakesAStaticMapForWhatItIs) {
 void expect_usable(const Identified& found, const std::vector<Experiment>& clips) {
   EXPECT_EQ(found.system.num_inputs(), clips.front().input.cols());
   EXPECT_EQ(found.system.num_outputs(), clips.front().output.cols());
-  EXPECT_LE(found.system.spectral_radius(), 0.98 + 1e-9);
+  EXPECT_LE(found.system.spectral_radius(), IdentifyOptions().max_radius + 1e-9);
   EXPECT_TRUE(std::isfinite(found.fit));
 }
 

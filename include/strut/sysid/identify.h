@@ -15,10 +15,10 @@
 namespace strut::sysid {
 
 struct IdentifyOptions {
-  int max_order = 8;    ///< largest number of states tried [states]
+  int max_order = 6;    ///< largest number of states tried [states]
   int block_rows = 10;  ///< past and future of the subspace step [frames]; fewer are used if clips are short
   Weighting weighting = Weighting::kCva;
-  double max_radius = 0.98;      ///< eigenvalues of A are clipped to this modulus, above 0 and below 1
+  double max_radius = 0.95;      ///< eigenvalues of A are clipped to this modulus, above 0 and below 1
   double order_tolerance = 0.5;  ///< the smallest order whose left-out fit is this near to the best is taken [% fit]
   int num_folds = 4;             ///< sets of groups left out in turn, 2 or more
 };

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <strut/core/error.h>
+#include <strut/sysid/order.h>
+
+namespace strut::sysid {
+namespace {
+
+TEST(SmallestGoodOrder, IsTheFirstNearTheBest) {
+  EXPECT_EQ(smallest_good_order({10.0, 59.4, 59.5, 60.0, 12.0}, 0.5), 2);
+  EXPECT_EQ(smallest_good_order({10.0, 59.4, 59.5, 60.0, 12.0}, 0.0), 3);
+  EXPECT_EQ(smallest_good_order({-3.0}, 0.5), 0);
+  EXPECT_THROW(smallest_good_order({}, 0.5), InvalidArgument);
+}
+
+TEST(AssignFolds, KeepsGroupsTogetherAndFoldsEven) {
+  const std::vector<int> groups = {5, 5, 9, 2, 2, 9, 4};
+  const std::vector<int> weights = {30, 30, 10, 20, 20, 10, 40};  // groups: 5 weighs 60, 2 and 4 weigh 40, 9 weighs 20
+  EXPECT_EQ(assign_folds(groups, weights, 2), (std::vector<int>{0, 0, 0, 1, 1, 0, 1}));
+}
+
+TEST(AssignFolds, UsesNoMoreFoldsThanThereAreGroups) {
+  EXPECT_EQ(assign_folds({1, 1, 2}, {1, 1, 1}, 4), (std::vector<int>{0, 0, 1}));
+  EXPECT_TRUE(assign_folds({}, {}, 3).empty());
+}
+
+TEST(AssignFolds, RefusesWhatCannotBeMeant) {
+  EXPECT_THROW(assign_folds({1}, {1, 2}, 2), InvalidArgument);
+  EXPECT_THROW(assign_folds({1}, {1}, 0), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace strut::sysid
