@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sysid/known_system.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <strut/core/error.h>
