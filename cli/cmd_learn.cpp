@@ -61,11 +61,11 @@ json describe_report(const LearnReport& report) {
 json describe_options(const LearnOptions& options) {
   return {{"scale_smoothness", options.alignment.space.scale_smoothness},
           {"offset_smoothness", options.alignment.space.offset_smoothness},
-          {"time_warp_smoothness", options.time_warp_smoothness},
+          {"time_warp_smoothing", options.time_warp_smoothing},
           {"lead_in", options.lead_in},
           {"max_order", options.identification.max_order},
           {"block_rows", options.identification.block_rows},
-          {"max_radius", options.identification.max_radius},
+          {"longest_memory", options.longest_memory},
           {"frame_rate", options.frame_rate}};
 }
 
@@ -130,13 +130,19 @@ void add_learn(CLI::App& app) {
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
   command
+      ->add_option("--weighting", options.identification.weighting,
+                   "Of the subspace step: n4sid, moesp or cva (default cva)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, sysid::Weighting>{
+          {"n4sid", sysid::Weighting::kN4sid}, {"moesp", sysid::Weighting::kMoesp}, {"cva", sysid::Weighting::kCva}}));
+  command->add_option("--memory", options.longest_memory, "Slowest decay the model's states may have, to 1/e [s]")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  command
       ->add_option("--smoothness", options.alignment.space.scale_smoothness, "Weight of smoothness in the space warp")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command
-      ->add_option("--time-smoothness", options.time_warp_smoothness,
-                   "Smoothing of the differential time warp [frames^2]")
-      ->check(CLI::NonNegativeNumber)
+  command->add_option("--time-smoothing", options.time_warp_smoothing, "Reach of the time warp's smoothing [s]")
+      ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
   command->add_option("--frame-rate", options.frame_rate, "Frames per second of the model; 0: the first input clip's")
       ->check(CLI::NonNegativeNumber)

@@ -18,8 +18,8 @@ namespace {
 
 struct TranslateArguments {
   std::string model, clip, output;
-  double strength = 1.0, warm_up = 1.0;
-  bool keep_timing = false, keep_layout = false, force = false;
+  TranslateOptions options;
+  bool keep_layout = false, force = false;
 };
 
 /// A mismatch is the clip's fault in the person's eyes: say which file.
@@ -33,9 +33,8 @@ void run(const TranslateArguments& arguments) {
   Diagnostics diagnostics;
   const auto model = read_style_model(arguments.model);
   const BvhClip clip = read_bvh(arguments.clip, {}, &diagnostics);
-  const TranslateOptions options{arguments.strength, !arguments.keep_timing, arguments.warm_up};
   try {
-    const Motion result = translate_motion(model, clip.motion, options, &diagnostics);
+    const Motion result = translate_motion(model, clip.motion, arguments.options, &diagnostics);
     const BvhLayout layout =
         arguments.keep_layout ? clip.layout : default_layout(result.skeleton(), clip.layout.unit, clip.layout.up);
     write_bvh(arguments.output, result, layout, overwrite_if(arguments.force), &diagnostics);
@@ -55,11 +54,13 @@ void add_translate(CLI::App& app) {
   command->add_option("model", arguments->model, "Style model made by strut learn (.strut)")->required();
   command->add_option("clip", arguments->clip, "BVH clip in the model's input style")->required();
   command->add_option("-o,--output", arguments->output, "BVH file to write")->required();
-  command->add_option("--strength", arguments->strength, "How much of the style: 0 none, 1 all, up to 1.5")
+  command->add_option("--strength", arguments->options.strength, "How much of the style: 0 none, 1 all, up to 1.5")
       ->check(CLI::Range(0.0, 1.5))
       ->capture_default_str();
-  command->add_flag("--no-retime", arguments->keep_timing, "Keep the input's timing, frame for frame");
-  command->add_option("--warm-up", arguments->warm_up, "Seconds of motion extrapolated before the clip, 0 for none")
+  command->add_flag("!--no-retime", arguments->options.retime, "Keep the input's timing, frame for frame");
+  command
+      ->add_option("--warm-up", arguments->options.warm_up,
+                   "Seconds of motion extrapolated before the clip, 0 for none")
       ->check(CLI::Range(0.0, 60.0))
       ->capture_default_str();
   command->add_flag("--keep-layout", arguments->keep_layout,

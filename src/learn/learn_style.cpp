@@ -158,8 +158,8 @@ std::optional<AlignedPair> StyleLearner::align_one(const ClipPair& pair, const N
         align::iterative_motion_warping(learn::alignment_features(u, input_scaling, output_scaling),
                                         learn::alignment_features(y, output_scaling, input_scaling), options);
     align::Correspondence correspondence = found.correspondence;
-    correspondence.differential_warp =
-        align::smooth_differential_warp(correspondence.differential_warp, options_.time_warp_smoothness);
+    correspondence.differential_warp = align::smooth_differential_warp(
+        correspondence.differential_warp, std::pow(options_.time_warp_smoothing * frame_rate_, 2));
     const double at_limit = align::share_at_slope_limit(correspondence.differential_warp, options.slope_limit);
     if (at_limit > kLargestShareAtLimit) {
       diagnostics.warn(where, "left out: its alignment runs along the slope limit for " +
@@ -263,6 +263,8 @@ void StyleLearner::identify_all(const std::vector<AlignedPair>& aligned, const N
     outputs.back().bottomRows(pair.output.rows()) = output_scaling.normalize(pair.output);
     groups.push_back(pair.group);
   }
+  sysid::IdentifyOptions identification = options_.identification;
+  identification.max_radius = std::exp(-1.0 / (options_.longest_memory * frame_rate_));
   report_.blocks.resize(blocks.size());
   std::vector<Diagnostics> reports(blocks.size());
   std::mutex mutex;
@@ -273,7 +275,7 @@ void StyleLearner::identify_all(const std::vector<AlignedPair>& aligned, const N
       experiments.push_back({columns_of(inputs[i], blocks[b].input_dofs), columns_of(outputs[i], blocks[b].output_dofs),
                              lead_in_frames()});
     }
-    const auto found = sysid::identify(experiments, groups, options_.identification, &reports[b]);
+    const auto found = sysid::identify(experiments, groups, identification, &reports[b]);
     blocks[b].system = found.system;
     report_.blocks[b] = {blocks[b].name, found.system.num_states(), found.fit,
                          sysid::simulated_fit(found.system, experiments)};
@@ -308,9 +310,23 @@ void StyleLearner::calibrate_timing(const std::vector<AlignedPair>& aligned, Sty
   report_.seconds = input_frames / frame_rate_;
 }
 
+void check_options(const LearnOptions& options) {
+  const auto check = [](const char* name, double value, double least) {
+    if (!(value >= least && std::isfinite(value))) {
+      throw InvalidArgument(name, "a number of at least " + std::to_string(least), std::to_string(value));
+    }
+  };
+  check("time_warp_smoothing", options.time_warp_smoothing, 0.0);
+  check("lead_in", options.lead_in, 0.0);
+  check("longest_memory", options.longest_memory, 0.01);
+  check("frame_rate", options.frame_rate, 0.0);
+}
+
 void check_pairs(const std::vector<Motion>& inputs, const std::vector<Motion>& outputs,
                  const std::vector<ClipPair>& pairs) {
   if (pairs.empty()) throw InvalidArgument("pairs", "at least one pair", "none");
+  if (inputs.empty()) throw InvalidArgument("inputs", "at least one clip", "none");
+  if (outputs.empty()) throw InvalidArgument("outputs", "at least one clip", "none");
   const auto check = [](const char* which, int clip, const motion::FrameRange& range,
                         const std::vector<Motion>& clips) {
     if (clip < 0 || clip >= static_cast<int>(clips.size())) {
@@ -334,6 +350,7 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
                         const std::vector<ClipPair>& pairs, const LearnOptions& options,
                         const DescribeProvenance& provenance, Diagnostics* diagnostics, const Progress& progress) {
   check_pairs(inputs, outputs, pairs);
+  check_options(options);
   const std::string mismatch = describe_mismatch(inputs.front().skeleton(), outputs.front().skeleton());
   if (!mismatch.empty()) throw SkeletonMismatch("input and output clips have different skeletons: " + mismatch);
   return StyleLearner(inputs, outputs, pairs, options, diagnostics, progress).learn(provenance);

@@ -13,7 +13,7 @@ namespace strut {
 struct TranslateOptions {
   double strength = 1.0;  ///< 0: the input; 1: the style; up to 1.5
   bool retime = true;     ///< apply the style's timing; false keeps the input's
-  double warm_up = 1.0;   ///< run the model over this much backward extrapolation first [s]; 0 starts from x0 = 0
+  double warm_up = 0.3;   ///< run the model over this much backward extrapolation first [s]; 0 starts from x0 = 0
 };
 
 /// The clip in the model's output style, at the clip's own frame rate, starting where the clip starts, with the clip's
