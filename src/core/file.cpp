@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -76,14 +77,13 @@ bool is_regular_or_missing(const std::string& path) {
   return S_ISREG(status.st_mode);
 }
 
-/// Gives the unnamed file `fd` a name beside the target.
+/// Gives the unnamed file `fd` a name beside the target; empty where /proc, which it takes, is missing.
 std::string link_beside(int fd, const std::string& path) {
+  const std::string source = "/proc/self/fd/" + std::to_string(fd);
   for (unsigned attempt = 0;; ++attempt) {
     std::string name = path + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(attempt);
-    if (::linkat(AT_FDCWD, ("/proc/self/fd/" + std::to_string(fd)).c_str(), AT_FDCWD, name.c_str(),
-                 AT_SYMLINK_FOLLOW) == 0) {
-      return name;
-    }
+    if (::linkat(AT_FDCWD, source.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return name;
+    if (errno == ENOENT) return {};
     if (errno != EEXIST || attempt > 100) throw FileError(FileAction::kWrite, path, "cannot write: " + reason());
   }
 }
@@ -106,6 +106,37 @@ void finish(int fd, const std::string& path) {
   // Without this, some file systems report a full disk only after the rename.
   if (::fsync(fd) != 0 && errno != EINVAL && errno != EROFS)
     throw FileError(FileAction::kWrite, path, "cannot write: " + reason());
+}
+
+/// Writes a file that has no name until it is complete, then its temporary one, which is returned; empty where the file
+/// system has no such files.
+std::string write_unnamed(const std::string& path, std::string_view bytes) {
+  const Descriptor file(::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+  if (!file.is_open()) return {};
+  write_all(file.get(), bytes, path);
+  finish(file.get(), path);
+  return link_beside(file.get(), path);
+}
+
+void write_named(const std::string& path, std::string_view bytes, Overwrite overwrite) {
+  std::string name = path + ".tmpXXXXXX";
+  const Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+  if (!file.is_open()) throw FileError(FileAction::kWrite, path, "cannot write: " + reason());
+  TemporaryName temporary(name);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(file.get(), 0666 & ~mask);
+  write_all(file.get(), bytes, path);
+  finish(file.get(), path);
+  move_into_place(temporary, path, overwrite);
+}
+
+/// What a link leads to, so that writing replaces the file and not the link; `path` itself if it is no link.
+std::string resolved(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_symlink(path, failed)) return path;
+  const std::filesystem::path target = std::filesystem::canonical(path, failed);
+  return failed ? path : target.string();
 }
 
 }  // namespace
@@ -147,24 +178,13 @@ void write_file(const std::string& path, std::string_view bytes, Overwrite overw
     return;
   }
   check_writable(path, overwrite);
-  const Descriptor unnamed(::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
-  if (unnamed.is_open()) {
-    write_all(unnamed.get(), bytes, path);
-    finish(unnamed.get(), path);
-    TemporaryName temporary(link_beside(unnamed.get(), path));
-    move_into_place(temporary, path, overwrite);
+  const std::string target = resolved(path);
+  if (std::string name = write_unnamed(target, bytes); !name.empty()) {
+    TemporaryName temporary(std::move(name));
+    move_into_place(temporary, target, overwrite);
     return;
   }
-  std::string name = path + ".tmpXXXXXX";
-  const Descriptor named(::mkostemp(name.data(), O_CLOEXEC));
-  if (!named.is_open()) throw FileError(FileAction::kWrite, path, "cannot write: " + reason());
-  TemporaryName temporary(name);
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(named.get(), 0666 & ~mask);
-  write_all(named.get(), bytes, path);
-  finish(named.get(), path);
-  move_into_place(temporary, path, overwrite);
+  write_named(target, bytes, overwrite);
 }
 
 }  // namespace strut
