@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// Alignment sees signals only.
+#pragma once
+
+#include <strut/motion/skeleton.h>

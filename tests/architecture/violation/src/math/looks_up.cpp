@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include "math/missing.h"
+#include "motion/posture.h"
+
+#include <cmath>
