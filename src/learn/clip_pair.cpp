@@ -236,8 +236,9 @@ void report_uncovered(const Pairing& pairing, Diagnostics* diagnostics) {
   }
   diagnostics->warn("pairing",
                     std::to_string(pairing.uncovered.size()) + " of " + std::to_string(pairing.inputs.size()) +
-                        " stretches of the input style have nothing like them in the output style (they turn " +
-                        with_decimals(least, 2) + " to " + with_decimals(greatest, 2) + " rad)",
+                        " stretches of the input style have nothing like them in the output style (they turn by " +
+                        with_decimals(kDegrees * least, 0) + " to " + with_decimals(kDegrees * greatest, 0) +
+                        " degrees)",
                     "record the output style doing this too");
 }
 

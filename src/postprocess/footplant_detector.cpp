@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <strut/core/error.h>
@@ -19,12 +18,22 @@ constexpr double kPeakQuantile = 0.95;
 constexpr double kGroundQuantile = 0.05;
 // A foot that moves farther than this [leg lengths] in a gap was really off the ground.
 constexpr double kGapTravel = 0.04;
-
-/// One end of a foot over time.
-struct Track {
+/// A toe over time, and the thresholds that are its own.
+struct Toe {
   std::vector<Eigen::Vector3d> position;  // [m]
   std::vector<double> speed;              // [m/s]
   double ground = 0.0;                    // its height when the foot stands [m]
+  double leg_length = 0.0;                // [m]
+  double landing_speed = 0.0, leaving_speed = 0.0;
+  double landing_height = 0.0, leaving_height = 0.0;
+
+  [[nodiscard]] double height(std::size_t t) const { return position[t].y() - ground; }
+  [[nodiscard]] bool has_landed(std::size_t t) const {
+    return speed[t] <= landing_speed && height(t) <= landing_height;
+  }
+  [[nodiscard]] bool still_stands(std::size_t t) const {
+    return speed[t] <= leaving_speed && height(t) <= leaving_height;
+  }
 };
 
 double quantile(std::vector<double> values, double share) {
@@ -33,72 +42,50 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(index)];
 }
 
-Track track(std::vector<Eigen::Vector3d> position, double frame_rate) {
-  Track result{std::move(position), {}, 0.0};
-  const auto& x = result.position;
-  const auto last = static_cast<int>(x.size()) - 1;
-  const int half = std::max(1, static_cast<int>(std::lround(kHalfWindow * frame_rate)));
-  std::vector<double> heights;
+/// Mean speeds from `half` frames before each frame to `half` frames after it [m/s].
+std::vector<double> speeds_of(const std::vector<Eigen::Vector3d>& position, int half, double frame_rate) {
+  const auto last = static_cast<int>(position.size()) - 1;
+  std::vector<double> speeds;
   for (int t = 0; t <= last; ++t) {
-    const int before = std::max(0, t - half);
     const int after = std::min(last, t + half);
+    const int before = std::max(0, t - half);
     const double time = std::max(1, after - before) / frame_rate;
-    result.speed.push_back((x[static_cast<std::size_t>(after)] - x[static_cast<std::size_t>(before)]).norm() / time);
-    heights.push_back(x[static_cast<std::size_t>(t)].y());
+    speeds.push_back((position[static_cast<std::size_t>(after)] - position[static_cast<std::size_t>(before)]).norm() /
+                     time);
   }
-  result.ground = quantile(std::move(heights), kGroundQuantile);
-  return result;
+  return speeds;
 }
 
-/// Both ends of one foot, and the thresholds that are its own.
-struct Foot {
-  std::array<Track, 2> ends;  // ankle, toe
-  double leg_length = 0.0;    // [m]
-  double landing_speed = 0.0, leaving_speed = 0.0;
-  double landing_height = 0.0, leaving_height = 0.0;
-
-  [[nodiscard]] std::size_t num_frames() const { return ends[0].speed.size(); }
-
-  [[nodiscard]] bool stands(std::size_t t, double speed, double height) const {
-    return std::any_of(ends.begin(), ends.end(), [&](const Track& end) {
-      return end.speed[t] <= speed && end.position[t].y() - end.ground <= height;
-    });
-  }
-};
-
-Foot measure(const Motion& motion, const motion::Leg& leg, const FootplantDetectorOptions& options) {
-  std::vector<Eigen::Vector3d> ankle, toe;
-  Foot foot;
+Toe measure(const Motion& motion, const motion::Leg& leg, const FootplantDetectorOptions& options) {
+  Toe toe;
+  std::vector<double> heights;
   motion::WorldPose world;
   for (const Pose& pose : motion.frames()) {
     motion::forward_kinematics(motion.skeleton(), pose, world);
-    ankle.push_back(world.positions[static_cast<std::size_t>(leg.ankle)]);
-    toe.push_back(motion::toe_position(leg, world));
-    foot.leg_length += (pose.translations[static_cast<std::size_t>(leg.knee)].norm() +
-                        pose.translations[static_cast<std::size_t>(leg.ankle)].norm()) /
-                       motion.num_frames();
+    toe.position.push_back(motion::toe_position(leg, world));
+    heights.push_back(toe.position.back().y());
+    toe.leg_length += (pose.translations[static_cast<std::size_t>(leg.knee)].norm() +
+                       pose.translations[static_cast<std::size_t>(leg.ankle)].norm()) /
+                      motion.num_frames();
   }
-  foot.ends = {track(std::move(ankle), motion.frame_rate()), track(std::move(toe), motion.frame_rate())};
-  std::vector<double> slower;
-  for (std::size_t t = 0; t < foot.num_frames(); ++t) {
-    slower.push_back(std::min(foot.ends[0].speed[t], foot.ends[1].speed[t]));
-  }
-  const double peak = quantile(std::move(slower), kPeakQuantile);
-  const double least = options.least_speed * foot.leg_length;
-  foot.landing_speed = std::max(least, options.landing_speed * peak);
-  foot.leaving_speed = std::max(least, options.leaving_speed * peak);
-  foot.landing_height = options.height * foot.leg_length;
-  foot.leaving_height = options.leaving_height * foot.leg_length;
-  return foot;
+  const int half = std::max(1, static_cast<int>(std::lround(kHalfWindow * motion.frame_rate())));
+  toe.speed = speeds_of(toe.position, half, motion.frame_rate());
+  toe.ground = quantile(std::move(heights), kGroundQuantile);
+  const double peak = quantile(toe.speed, kPeakQuantile);
+  const double least = options.least_speed * toe.leg_length;
+  toe.landing_speed = std::max(least, options.landing_speed * peak);
+  toe.leaving_speed = std::max(least, options.leaving_speed * peak);
+  toe.landing_height = options.height * toe.leg_length;
+  toe.leaving_height = options.leaving_height * toe.leg_length;
+  return toe;
 }
 
-std::vector<Footplant> raw_footplants(const Foot& foot, int index) {
+std::vector<Footplant> raw_footplants(const Toe& toe, int index) {
   std::vector<Footplant> plants;
   bool planted = false;
-  for (std::size_t t = 0; t < foot.num_frames(); ++t) {
+  for (std::size_t t = 0; t < toe.speed.size(); ++t) {
     const bool before = planted;
-    planted = planted ? foot.stands(t, foot.leaving_speed, foot.leaving_height)
-                      : foot.stands(t, foot.landing_speed, foot.landing_height);
+    planted = planted ? toe.still_stands(t) : toe.has_landed(t);
     const int frame = static_cast<int>(t);
     if (planted && !before) plants.push_back({index, frame, frame});
     if (planted) plants.back().end = frame + 1;
@@ -106,20 +93,18 @@ std::vector<Footplant> raw_footplants(const Foot& foot, int index) {
   return plants;
 }
 
-/// Whether one end of the foot stays where it was across the gap between two plants.
-bool stays(const Foot& foot, const Footplant& before, const Footplant& after) {
+/// Whether the toe stays where it was across the gap between two plants.
+bool stays(const Toe& toe, const Footplant& before, const Footplant& after) {
   const auto last = static_cast<std::size_t>(before.end - 1);
   const auto next = static_cast<std::size_t>(after.begin);
-  return std::any_of(foot.ends.begin(), foot.ends.end(), [&](const Track& end) {
-    return (end.position[next] - end.position[last]).norm() < kGapTravel * foot.leg_length;
-  });
+  return (toe.position[next] - toe.position[last]).norm() < kGapTravel * toe.leg_length;
 }
 
-std::vector<Footplant> close_gaps(const Foot& foot, const std::vector<Footplant>& plants, double longest_frames) {
+std::vector<Footplant> close_gaps(const Toe& toe, const std::vector<Footplant>& plants, double longest_frames) {
   std::vector<Footplant> closed;
   for (const Footplant& plant : plants) {
     const bool joins =
-        !closed.empty() && plant.begin - closed.back().end < longest_frames && stays(foot, closed.back(), plant);
+        !closed.empty() && plant.begin - closed.back().end < longest_frames && stays(toe, closed.back(), plant);
     if (joins) {
       closed.back().end = plant.end;
     } else {
@@ -150,8 +135,8 @@ std::vector<Footplant> detect_footplants(const Motion& motion, const motion::Leg
   std::vector<Footplant> found;
   if (motion.num_frames() == 0) return found;
   for (int index = 0; index < 2; ++index) {
-    const Foot foot = measure(motion, legs.foot(index), options);
-    const auto plants = close_gaps(foot, raw_footplants(foot, index), options.longest_gap * motion.frame_rate());
+    const Toe toe = measure(motion, legs.foot(index), options);
+    const auto plants = close_gaps(toe, raw_footplants(toe, index), options.longest_gap * motion.frame_rate());
     const double shortest = options.shortest_plant * motion.frame_rate();
     std::copy_if(plants.begin(), plants.end(), std::back_inserter(found), [&](const Footplant& plant) {
       const bool is_cut = plant.begin == 0 || plant.end == motion.num_frames();

@@ -2,11 +2,14 @@
 #include "support/data.h"
 #include "support/stepper.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include <strut/core/error.h>
+#include <strut/generate/walker.h>
 #include <strut/io/bvh.h>
 #include <strut/motion/kinematics.h>
 #include <strut/motion/resample.h>
@@ -82,6 +85,52 @@ TEST(FootplantDetector, ClosesAGapInWhichTheFootStays) {
   const auto glitch = static_cast<std::size_t>((plant.begin + plant.end) / 2);
   for (const std::size_t joint : {4U, 5U}) frames[glitch].translations[joint].y() += 0.1;
   expect_same_plants({Motion(body.motion.shared_skeleton(), 30.0, frames), body.footplants}, "glitch");
+}
+
+/// How far the toe is, at the first frame of `found`, from where it stands in the middle of `truth` [m].
+double away_at_landing(const generate::Walk& walk, const motion::Legs& legs, const motion::Footplant& found,
+                       const motion::Footplant& truth) {
+  const auto toe = [&](int frame) {
+    const auto world = motion::forward_kinematics(walk.motion.skeleton(), walk.motion.frame(frame));
+    return motion::toe_position(legs.foot(truth.foot), world);
+  };
+  return (toe(found.begin) - toe((truth.begin + truth.end) / 2)).norm();
+}
+
+// A rolling foot comes to rest slowly: its last centimetres take a tenth of a second, and no threshold sees their end.
+constexpr double kHeld = 0.035;       // [m]
+constexpr double kLate = 1.0 / 30.0;  // a landing is never seen later than this [s]
+
+void expect_true_plants(const char* what, const generate::WalkContent& content, const generate::WalkStyle& style) {
+  for (const double rate : {30.0, 60.0}) {
+    const generate::Walk walk = generate::generate_walk(content, style, rate);
+    const auto legs = *motion::find_legs(walk.motion);
+    const auto found = detect_footplants(walk.motion, legs);
+    for (const auto& truth : walk.footplants) {
+      if (truth.begin == 0 || truth.end - truth.begin < 0.15 * rate) continue;
+      const auto same = std::find_if(found.begin(), found.end(), [&](const motion::Footplant& plant) {
+        return plant.foot == truth.foot && plant.begin < truth.end && plant.end > truth.begin;
+      });
+      ASSERT_NE(same, found.end()) << what << " at frame " << truth.begin;
+      EXPECT_LE(same->begin, truth.begin + kLate * rate) << what;
+      EXPECT_LT(away_at_landing(walk, legs, *same, truth), kHeld) << what << ", " << rate << " frames/s";
+      EXPECT_NEAR(same->end, truth.end, 3.0 / 60.0 * rate + 1.0) << what;
+    }
+  }
+}
+
+TEST(FootplantDetector, FindsWhereGeneratedFeetAreHeld) {
+  generate::WalkContent turn;
+  turn.turn_rate = 1.0;
+  generate::WalkContent slow;
+  slow.speed = 0.5;
+  expect_true_plants("plain", {}, {});
+  expect_true_plants("limp", {}, {.limp = 1.0});
+  expect_true_plants("march", {}, {.foot_lift = 0.25});
+  expect_true_plants("flat", {}, {.heel_strike = 0.0, .push_off = 0.2});
+  expect_true_plants("turn", turn, {});
+  expect_true_plants("shuffle", slow,
+                     {.step_length_scale = 0.6, .foot_lift = 0.01, .heel_strike = 0.0, .push_off = 0.2});
 }
 
 TEST(FootplantDetector, RefusesThresholdsThatCross) {

@@ -59,7 +59,7 @@ struct PairingOptions {
   bool whole = false;           ///< pair whole clips even where they travel
   double turning_scale = 0.35;  ///< difference in turning that counts as 1 [rad], > 0
   double speed_weight = 0.5;    ///< of speed, in standard deviations of each style's own speeds, >= 0
-  postprocess::FootplantDetectorOptions footplants;  ///< where gait cycles are cut
+  postprocess::FootplantDetectorOptions footplants{};  ///< where gait cycles are cut
 };
 
 /// A pair that was looked at and not made.

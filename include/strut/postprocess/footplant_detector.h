@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Finds when feet are planted from how they move: from a motion to footplants. A foot is planted while its slower end,
-// heel (ankle) or toe, is slow for this clip and this foot, and low. Thresholds are shares of the foot's own speed and
-// of the leg's length, with hysteresis, so that runs, shuffles and bodies of any size need no settings.
+// Finds when feet are planted from how they move: from a motion to footplants. A foot is planted while its toe (the
+// ball of the foot) is slow for this clip and this foot, and low: what footskate cleanup can hold. The heel may come
+// down a little earlier and leaves earlier. A foot without a toe is judged by its ankle. Thresholds are shares of the
+// foot's own speed and of the leg's length, with hysteresis, so that runs, shuffles and bodies of any size need no
+// settings.
 #pragma once
 
 #include <vector>
