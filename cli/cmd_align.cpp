@@ -39,7 +39,7 @@ struct AlignOptions {
   double warp_smoothness = 10.0;
   int rounds = 10;
   std::string csv, plot, dof;
-  bool force = false;
+  bool shared_units = false, force = false;
 };
 
 const std::map<std::string, Method>& methods() {
@@ -85,7 +85,9 @@ Clips read_clips(const AlignOptions& options) {
   for (const auto& [motion, path] : {std::pair(&input, options.input), std::pair(&output, options.output)}) {
     if (motion->num_frames() < 2) throw Error(path + ": a clip to align needs at least two frames");
   }
-  learn::AlignmentPair features = learn::alignment_features(input, output);
+  using learn::StyleUnits;
+  learn::AlignmentPair features =
+      learn::alignment_features(input, output, options.shared_units ? StyleUnits::kShared : StyleUnits::kOwn);
   return {std::move(input), std::move(output), std::move(features)};
 }
 
@@ -223,9 +225,10 @@ void run(const AlignOptions& options) {
   const Answer answer = solve(clips.features, options.method, options);
   const Eigen::VectorXd smoothed =
       align::smooth_differential_warp(answer.correspondence.differential_warp, options.warp_smoothness);
-  print_report(clips, answer, smoothed, options);
+  const std::string plot = options.plot.empty() ? std::string() : figure(clips, answer, options);
   if (!options.csv.empty()) write_file(options.csv, table(clips, answer.correspondence, smoothed), overwrite);
-  if (!options.plot.empty()) write_file(options.plot, figure(clips, answer, options), overwrite);
+  if (!options.plot.empty()) write_file(options.plot, plot, overwrite);
+  print_report(clips, answer, smoothed, options);
 }
 
 }  // namespace
@@ -285,6 +288,9 @@ void add_align(CLI::App& app) {
           "The degree of freedom to draw, e.g. 'LeftUpLeg x', or a joint's name (default: the joint angle that "
           "moves most)")
       ->type_name("NAME");
+  command->add_flag("--shared-units", options->shared_units,
+                    "Compare postures as they are, about one mean and in one unit for both clips (default: each clip "
+                    "about its own mean in its own standard deviation, as strut learn does)");
   command->add_flag("--force", options->force, "Overwrite files that exist (default: refuse)");
   command->callback([options] { run(*options); });
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <vector>
+
 #include <strut/learn/alignment_features.h>
 #include <strut/motion/legs.h>
 #include <strut/representation/representation.h>
@@ -19,14 +21,16 @@ FrameMatrix alignment_features(const FrameMatrix& rows, const representation::No
   return features;
 }
 
-AlignmentPair alignment_features(const Motion& input, const Motion& output) {
+AlignmentPair alignment_features(const Motion& input, const Motion& output, StyleUnits units) {
+  const bool shared = units == StyleUnits::kShared;
+  const std::vector<Motion> both{input, output};
   const Eigen::Quaterniond upright = motion::upright_reference(input);
-  const auto of_input = representation::fit_representation({input}, upright);
-  const auto of_output = representation::fit_representation({output}, upright);
+  const auto of_input = representation::fit_representation(shared ? both : std::vector{input}, upright);
+  const auto of_output = shared ? of_input : representation::fit_representation({output}, upright);
   representation::check_skeleton(of_input, output.skeleton());
   const FrameMatrix u = representation::encode(of_input, input), y = representation::encode(of_output, output);
-  const auto scaling_of_input = representation::fit_normalization({u});
-  const auto scaling_of_output = representation::fit_normalization({y});
+  const auto scaling_of_input = representation::fit_normalization(shared ? std::vector{u, y} : std::vector{u});
+  const auto scaling_of_output = shared ? scaling_of_input : representation::fit_normalization({y});
   return {alignment_features(u, scaling_of_input, scaling_of_output),
           alignment_features(y, scaling_of_output, scaling_of_input)};
 }

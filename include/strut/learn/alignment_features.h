@@ -19,9 +19,14 @@ struct AlignmentPair {
   FrameMatrix input, output;  ///< (frames x dofs)
 };
 
-/// The features of two motions that are all there is of their styles: each has its own mean orientations, mean and
-/// deviation. One hierarchy and one frame rate.
+/// In what units two motions are compared.
+enum class StyleUnits {
+  kOwn,     ///< each about its own mean orientations, in its own deviation: what is left is mostly timing
+  kShared,  ///< both about one mean and in one deviation: postures as they are, a different style is a different number
+};
+
+/// The features of two motions that are all there is of their styles. One hierarchy and one frame rate.
 /// Throws InvalidArgument if one has no frame, SkeletonMismatch if the hierarchies differ. Cost O(frames x joints).
-AlignmentPair alignment_features(const Motion& input, const Motion& output);
+AlignmentPair alignment_features(const Motion& input, const Motion& output, StyleUnits units = StyleUnits::kOwn);
 
 }  // namespace strut::learn
