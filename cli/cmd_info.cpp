@@ -3,6 +3,7 @@
 // programs.
 #include "bvh_options.h"
 #include "commands.h"
+#include "model_info.h"
 #include "terminal.h"
 
 #include <algorithm>
@@ -208,17 +209,10 @@ class InfoReport {
   }
 
  private:
-  /// Here a style model's facts are told.
   void add_model(const std::string& path, const std::string& bytes) {
     const auto model = parse_style_model(bytes, path);
-    Json facts = {{"file", path},
-                  {"kind", "style model"},
-                  {"frame_rate", model->frame_rate()},
-                  {"num_joints", model->skeleton().num_joints()},
-                  {"num_blocks", model->blocks().size()},
-                  {"num_states", model->num_states()}};
-    if (!options_.json) fmt::print("{}\n  style model {}\n", path, facts.dump(2));
-    models_.push_back(std::move(facts));
+    if (!options_.json) print_model(path, *model);
+    models_.push_back(model_as_json(path, *model));
   }
 
   /// What was assumed stands in the report itself.

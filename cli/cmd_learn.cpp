@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // strut learn: learns a style from a pair list.
 #include "commands.h"
+#include "learn_report.h"
 #include "paired_clips.h"
 #include "terminal.h"
 
-#include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,7 @@
 namespace strut::cli {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 struct LearnArguments {
   std::string pairs, output;
@@ -43,21 +42,6 @@ json describe_files(const std::vector<std::string>& paths) {
   return files;
 }
 
-json describe_report(const LearnReport& report) {
-  json blocks = json::array();
-  for (const BlockReport& block : report.blocks) {
-    blocks.push_back(
-        {{"name", block.name}, {"states", block.states}, {"left_out_fit", block.left_out_fit}, {"fit", block.fit}});
-  }
-  return {{"pairs", report.num_pairs},
-          {"pairs_refused", report.num_refused},
-          {"seconds", report.seconds},
-          {"speed", {report.speed.least, report.speed.greatest}},
-          {"turning_rate", {report.turning_rate.least, report.turning_rate.greatest}},
-          {"duration_ratio", report.duration_ratio},
-          {"blocks", blocks}};
-}
-
 json describe_options(const LearnOptions& options) {
   return {{"scale_smoothness", options.alignment.space.scale_smoothness},
           {"offset_smoothness", options.alignment.space.offset_smoothness},
@@ -67,24 +51,6 @@ json describe_options(const LearnOptions& options) {
           {"block_rows", options.identification.block_rows},
           {"longest_memory", options.longest_memory},
           {"frame_rate", options.frame_rate}};
-}
-
-double degrees(double radians) {
-  return radians * 180.0 / std::numbers::pi;
-}
-
-void print_report(const LearnReport& report, const StyleModel& model) {
-  fmt::print("learnt from {} pairs, {:.1f} s of input ({} refused)\n", report.num_pairs, report.seconds,
-             report.num_refused);
-  fmt::print("covers speeds {:.2f} to {:.2f} m/s, turning {:+.0f} to {:+.0f} deg/s (left is positive)\n",
-             report.speed.least, report.speed.greatest, degrees(report.turning_rate.least),
-             degrees(report.turning_rate.greatest));
-  fmt::print("the style takes {:.2f} times as long as the input\n", report.duration_ratio);
-  fmt::print("{} states in {} blocks; fit of simulated to real output:\n", model.num_states(), model.blocks().size());
-  fmt::print("  {:<24} {:>6} {:>12} {:>12}\n", "block", "states", "left out, %", "learnt, %");
-  for (const BlockReport& block : report.blocks) {
-    fmt::print("  {:<24} {:>6} {:>12.1f} {:>12.1f}\n", block.name, block.states, block.left_out_fit, block.fit);
-  }
 }
 
 void run(const LearnArguments& arguments) {
@@ -103,7 +69,7 @@ void run(const LearnArguments& arguments) {
         clips.inputs, clips.outputs, clips.pairs, arguments.options,
         [&](const LearnReport& report) {
           json provenance = sources;
-          provenance["report"] = describe_report(report);
+          provenance["report"] = report_as_json(report);
           return provenance.dump();
         },
         &diagnostics, [&](const std::string& step, int done, int total) { line.update(step, done, total); });
