@@ -59,7 +59,8 @@ void check_default_layout(const strut::BvhClip& clip) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(bytes), size);
-  const auto positions = size % 2 == 0 ? strut::PositionChannels::kReplaceOffset : strut::PositionChannels::kAddToOffset;
+  const auto positions =
+      size % 2 == 0 ? strut::PositionChannels::kReplaceOffset : strut::PositionChannels::kAddToOffset;
   std::optional<strut::BvhClip> clip;
   strut::Diagnostics diagnostics;
   try {
