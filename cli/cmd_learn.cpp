@@ -50,6 +50,7 @@ json describe_options(const LearnOptions& options) {
           {"max_order", options.identification.max_order},
           {"block_rows", options.identification.block_rows},
           {"longest_memory", options.longest_memory},
+          {"ridge", options.identification.ridge},
           {"frame_rate", options.frame_rate}};
 }
 
@@ -102,6 +103,9 @@ void add_learn(CLI::App& app) {
           {"n4sid", sysid::Weighting::kN4sid}, {"moesp", sysid::Weighting::kMoesp}, {"cva", sysid::Weighting::kCva}}));
   command->add_option("--memory", options.longest_memory, "Slowest decay the model's states may have, to 1/e [s]")
       ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  command->add_option("--ridge", options.identification.ridge, "Shrinkage of the matrices B and D, 0 for none")
+      ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
   command
       ->add_option("--smoothness", options.alignment.space.scale_smoothness, "Weight of smoothness in the space warp")

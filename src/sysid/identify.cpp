@@ -123,11 +123,12 @@ int usable_block_rows(const FoldedClips& folded, int wanted, Diagnostics* diagno
 }
 
 LtiSystem fit_order(const std::optional<Subspace>& subspace, int order, const std::vector<Experiment>& clips,
-                    double max_radius) {
+                    const IdentifyOptions& options) {
   const Eigen::Index num_outputs = clips.front().output.cols();
-  if (order == 0) return fit_input_matrices(Eigen::MatrixXd(0, 0), Eigen::MatrixXd(num_outputs, 0), clips);
+  if (order == 0)
+    return fit_input_matrices(Eigen::MatrixXd(0, 0), Eigen::MatrixXd(num_outputs, 0), clips, options.ridge);
   const Subspace::AandC found = subspace->a_and_c(order);
-  return fit_input_matrices(clip_eigenvalues(found.a, max_radius), found.c, clips);
+  return fit_input_matrices(clip_eigenvalues(found.a, options.max_radius), found.c, clips, options.ridge);
 }
 
 /// The Hankel factor of each fold's clips.
@@ -163,7 +164,7 @@ std::vector<double> left_out_fits(const FoldedClips& folded, const std::vector<H
       max_order = std::min(max_order, subspace->max_order());
     }
     for (int order = 0; order <= max_order; ++order) {
-      const LtiSystem system = fit_order(subspace, order, train, options.max_radius);
+      const LtiSystem system = fit_order(subspace, order, train, options);
       for (const Experiment& clip : test) sums[order].add(clip, simulate(system, clip.input));
     }
   }
@@ -208,7 +209,7 @@ Identified identify(const std::vector<Experiment>& experiments, const std::vecto
   int order = smallest_good_order(fits, options.order_tolerance);
   const double fit = fits[order];
   if (subspace) order = std::min(order, subspace->max_order());
-  return {balance.undo(fit_order(subspace, order, folded.clips, options.max_radius)), fit, std::move(fits),
+  return {balance.undo(fit_order(subspace, order, folded.clips, options)), fit, std::move(fits),
           subspace ? subspace->singular_values() : Eigen::VectorXd()};
 }
 
@@ -224,7 +225,7 @@ LtiSystem identify_order(const std::vector<Experiment>& experiments, int order, 
   const int block_rows = order == 0 ? 0 : usable_block_rows(clips, options.block_rows, diagnostics);
   if (block_rows > 0) subspace.emplace(merge(factor_folds(clips, block_rows), kNone), options.weighting);
   const int carried = subspace ? std::min(order, subspace->max_order()) : 0;
-  return balance.undo(fit_order(subspace, carried, clips.clips, options.max_radius));
+  return balance.undo(fit_order(subspace, carried, clips.clips, options));
 }
 
 }  // namespace strut::sysid

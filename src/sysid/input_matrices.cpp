@@ -4,6 +4,7 @@
 // with B_b a column of B and u_b an input. Psi_b is a polynomial in A, which is why A may stand on its right: a row
 // c' Psi_b of the regression then needs only itself, states^2 a frame. The normal equations are summed clip by clip.
 // Unknowns in order: B column by column, then D row by row.
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -88,8 +89,8 @@ void accumulate(const ClipRegression& clip, Eigen::Index outputs, NormalEquation
   right.noalias() -= seen.transpose() * (q.transpose() * clip.output);
 }
 
-Eigen::VectorXd solve(const NormalEquations& equations) {
-  constexpr double kRidge = 1e-9;
+Eigen::VectorXd solve(const NormalEquations& equations, double ridge) {
+  constexpr double kLeastRidge = 1e-9;
   constexpr double kMoves = 1e-24;  // of the largest column, squared
   const Eigen::VectorXd squared = equations.gram.diagonal();
   const double least = kMoves * squared.maxCoeff();
@@ -98,18 +99,20 @@ Eigen::VectorXd solve(const NormalEquations& equations) {
   const Eigen::MatrixXd whole = equations.gram.selfadjointView<Eigen::Lower>();
   const Eigen::MatrixXd gram = scale.asDiagonal() * whole * scale.asDiagonal();
   const Eigen::VectorXd right = scale.asDiagonal() * equations.right;
-  const Eigen::LLT<Eigen::MatrixXd> factor(gram + kRidge * Eigen::MatrixXd::Identity(gram.rows(), gram.cols()));
+  const double added = std::max(ridge, kLeastRidge);
+  const Eigen::LLT<Eigen::MatrixXd> factor(gram + added * Eigen::MatrixXd::Identity(gram.rows(), gram.cols()));
   Eigen::VectorXd solution = factor.solve(right);
-  solution += factor.solve(right - gram * solution);
+  if (ridge == 0.0) solution += factor.solve(right - gram * solution);
   return scale.asDiagonal() * solution;
 }
 
 }  // namespace
 
 LtiSystem fit_input_matrices(const Eigen::MatrixXd& a, const Eigen::MatrixXd& c,
-                             const std::vector<Experiment>& experiments) {
+                             const std::vector<Experiment>& experiments, double ridge) {
   constexpr double kForgotten = 0.1;
   check_experiments(experiments);
+  if (!(ridge >= 0.0 && std::isfinite(ridge))) throw InvalidArgument("ridge", "0 or more", std::to_string(ridge));
   const Eigen::Index n = a.rows();
   const Eigen::Index m = experiments.front().input.cols();
   const Eigen::Index l = experiments.front().output.cols();
@@ -120,7 +123,7 @@ LtiSystem fit_input_matrices(const Eigen::MatrixXd& a, const Eigen::MatrixXd& c,
     const bool project_initial = n > 0 && std::pow(radius, clip.lead_in) > kForgotten;
     accumulate(regression(a, c, clip, project_initial), l, equations);
   }
-  const Eigen::VectorXd unknowns = solve(equations);
+  const Eigen::VectorXd unknowns = solve(equations, ridge);
   return {a, unknowns.head(n * m).reshaped(n, m), c, unknowns.tail(l * m).reshaped<Eigen::RowMajor>(l, m)};
 }
 

@@ -21,9 +21,9 @@ struct LearnOptions {
   double time_warp_smoothing = 0.1;                  ///< reach of the smoothing of the differential warp [s]
   double lead_in = 1.0;                              ///< input before each pair that the model runs over first [s]
   double longest_memory = 0.3;                       ///< slowest decay a block's states may have, to 1/e [s]
-  sysid::IdentifyOptions identification{.max_order =
-                                            8};  ///< of every block; its max_radius follows from longest_memory
-  double frame_rate = 0.0;                       ///< [frames/s] clips are resampled to; 0: the first input clip's
+  /// Of every block; its max_radius follows from longest_memory.
+  sysid::IdentifyOptions identification{.max_order = 8, .ridge = 0.003};
+  double frame_rate = 0.0;  ///< [frames/s] clips are resampled to; 0: the first input clip's
 };
 
 /// What identification found for one block of the model.

@@ -19,6 +19,7 @@ struct IdentifyOptions {
   int block_rows = 10;  ///< past and future of the subspace step [frames]; fewer are used if clips are short
   Weighting weighting = Weighting::kCva;
   double max_radius = 0.95;      ///< eigenvalues of A are clipped to this modulus, above 0 and below 1
+  double ridge = 0.0;            ///< shrinks B and D, see fit_input_matrices; 0.003 keeps human motion smooth
   double order_tolerance = 0.5;  ///< the smallest order whose left-out fit is this near to the best is taken [% fit]
   int num_folds = 4;             ///< sets of groups left out in turn, 2 or more
 };

@@ -19,13 +19,14 @@ namespace strut::sysid {
 /// left after the lead-in: spectral radius of A ^ lead_in > 0.1; so always without a lead-in. A longer lead-in has made
 /// the state known, and projecting it out would only cost data.
 ///
-/// Regularization: each column of the regression, scaled to length one, has a ridge of 1e-9, and one step of iterative
-/// refinement takes its bias away again where the data decide; a column of zeros (an input that never moves) gets
-/// zeros.
+/// Regularization: each column of the regression is scaled to length one and has a ridge. With `ridge` 0 it is 1e-9,
+/// and one step of iterative refinement takes its bias away again where the data decide. A positive `ridge` shrinks B
+/// and D towards zero where clips say little: without it, inputs that hardly move are amplified, noise and all. A
+/// column of zeros (an input that never moves) gets zeros.
 ///
 /// `a` (states x states), stable; `c` (outputs x states). Throws InvalidArgument as check_experiments does, and if A
-/// and C do not fit each other or the outputs. Cost frames x outputs x (states x inputs)^2.
+/// and C do not fit each other or the outputs, or the ridge is negative. Cost frames x outputs x (states x inputs)^2.
 LtiSystem fit_input_matrices(const Eigen::MatrixXd& a, const Eigen::MatrixXd& c,
-                             const std::vector<Experiment>& experiments);
+                             const std::vector<Experiment>& experiments, double ridge = 0.0);
 
 }  // namespace strut::sysid
