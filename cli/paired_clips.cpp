@@ -35,6 +35,10 @@ double seconds(const motion::FrameRange& range, const Motion& clip) {
   return (range.end - range.begin) / clip.frame_rate();
 }
 
+std::string in_words(const PairedClip& clip, const motion::FrameRange& frames) {
+  return clip.path + " [" + std::to_string(frames.begin) + ", " + std::to_string(frames.end) + "]";
+}
+
 }  // namespace
 
 PairedClips read_paired_clips(const std::string& path, Diagnostics* diagnostics) {
@@ -50,7 +54,8 @@ PairedClips read_paired_clips(const std::string& path, Diagnostics* diagnostics)
     pair.input_frames = frames_within(entry.input, input.num_frames(), path);
     pair.output_frames = frames_within(entry.output, output.num_frames(), path);
     pair.slope_limit = learn::slope_limit_for(seconds(pair.input_frames, input), seconds(pair.output_frames, output));
-    result.pairs.push_back(pair);
+    pair.name = in_words(entry.input, pair.input_frames) + " with " + in_words(entry.output, pair.output_frames);
+    result.pairs.push_back(std::move(pair));
   }
   return result;
 }

@@ -40,11 +40,19 @@ Translator::Translator(std::shared_ptr<const StyleModel> model, double strength)
 void Translator::push(const Pose& input, Pose& output) {
   check_pose(input, model().skeleton().num_joints());
   encoder_.encode(input, input_row_);
-  if (!started_) decoder_ = {model().output(), model().frame_rate(), encoder_.placement()};
-  started_ = true;
+  if (!started_) start();
   step_.step(input_row_, output_row_);
   translate::apply_strength(model(), input_row_, strength_, output_row_);
   decoder_.decode(output_row_.head(model().num_dofs()), input, output);
+}
+
+/// The first frame has no velocity: standing still would be a jolt to a model of walking, so it moves as the examples
+/// do on average.
+void Translator::start() {
+  input_row_.head<representation::kHeight>() =
+      model().input_scaling().mean().head<representation::kHeight>().transpose();
+  decoder_ = {model().output(), model().frame_rate(), encoder_.placement()};
+  started_ = true;
 }
 
 double Translator::time_warp() const {

@@ -51,6 +51,7 @@ struct ClipPair {
   PairFeatures input;     ///< what the input was matched by
   PairFeatures output;    ///< what the output was matched by
   double distance = 0.0;  ///< between the features: 0 alike, 1 different to the eye
+  std::string name = {};  ///< what reports call it; empty: by the clips' indices
 };
 
 /// How stretches are matched.

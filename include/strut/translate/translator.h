@@ -32,6 +32,8 @@ class Translator {
   [[nodiscard]] const StyleModel& model() const noexcept { return step_.model(); }
 
  private:
+  void start();
+
   translate::SignalTranslator step_;
   double strength_;
   representation::Encoder encoder_;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The examples of both styles as signals at one frame rate: what alignment and identification work on.
+#pragma once
+
+#include <vector>
+
+#include <strut/learn/clip_pair.h>
+#include <strut/math/frame_matrix.h>
+#include <strut/motion/motion.h>
+#include <strut/representation/representation.h>
+
+namespace strut::learn {
+
+/// All clips of one style.
+struct StyleSignals {
+  representation::Representation representation;
+  std::vector<FrameMatrix> clips;  ///< each frames x dofs
+};
+
+/// Both styles and the pairs between them, whose frames count at `frame_rate`.
+struct Examples {
+  double frame_rate;  ///< [frames/s]
+  StyleSignals input, output;
+  std::vector<ClipPair> pairs;
+};
+
+/// Resamples the clips to `frame_rate`, fits each style's representation (one heading for both) and encodes the clips.
+/// The pairs must name existing clips. Throws SkeletonMismatch if hierarchies differ.
+Examples represent_examples(const std::vector<Motion>& inputs, const std::vector<Motion>& outputs,
+                            const std::vector<ClipPair>& pairs, double frame_rate);
+
+}  // namespace strut::learn

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Symbols of the paper: u input signal, y output signal, w differential time warp.
+#include "learn/pair_alignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <tbb/parallel_for.h>
+
+#include <strut/align/correspondence.h>
+#include <strut/core/error.h>
+#include <strut/learn/alignment_features.h>
+#include <strut/representation/extrapolation.h>
+
+namespace strut::learn {
+namespace {
+
+using representation::Normalization;
+
+// A pair that runs along its slope limit for more than half of its length has not been aligned.
+constexpr double kLargestShareAtLimit = 0.5;
+
+std::string name_of(const ClipPair& pair) {
+  if (!pair.name.empty()) return pair.name;
+  return "pair of input clip " + std::to_string(pair.input_clip) + " and output clip " +
+         std::to_string(pair.output_clip);
+}
+
+FrameMatrix rows_of(const FrameMatrix& clip, const FrameRange& range) {
+  return clip.middleRows(range.begin, range.end - range.begin);
+}
+
+/// The `count` rows before frame `begin`, continued backward where the clip does not reach.
+FrameMatrix lead_in_rows(const FrameMatrix& clip, int begin, int count) {
+  FrameMatrix before(count, clip.cols());
+  const int real = std::min(begin, count);
+  before.bottomRows(real) = clip.middleRows(begin - real, real);
+  before.topRows(count - real) = representation::extrapolate_back(clip, count - real);
+  return before;
+}
+
+class PairAligner {
+ public:
+  PairAligner(const Examples& examples, const LearnOptions& options)
+      : examples_(examples),
+        options_(options),
+        input_scaling_(representation::fit_normalization(examples.input.clips)),
+        output_scaling_(representation::fit_normalization(examples.output.clips)) {}
+
+  /// The pair in the input's time, or nothing and a warning.
+  std::optional<AlignedPair> align(const ClipPair& pair, Diagnostics& diagnostics) const {
+    const FrameMatrix& clip = examples_.input.clips[static_cast<std::size_t>(pair.input_clip)];
+    const FrameMatrix u = rows_of(clip, pair.input_frames);
+    const FrameMatrix y =
+        rows_of(examples_.output.clips[static_cast<std::size_t>(pair.output_clip)], pair.output_frames);
+    try {
+      const int slope_limit = std::max(pair.slope_limit, 2);  // 0: durations too far apart, which aligning will say
+      const align::Correspondence correspondence = correspond(u, y, slope_limit);
+      const Eigen::VectorXd& w = correspondence.differential_warp;
+      const double at_limit = align::share_at_slope_limit(w, slope_limit);
+      if (at_limit <= kLargestShareAtLimit) return warped(pair, clip, u, y, correspondence);
+      diagnostics.warn(name_of(pair), "left out: its alignment runs along the slope limit for " +
+                                          std::to_string(std::lround(100.0 * at_limit)) + " % of its length");
+    } catch (const InvalidArgument& error) {
+      diagnostics.warn(name_of(pair), std::string("left out: ") + error.what());
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] align::Correspondence correspond(const FrameMatrix& u, const FrameMatrix& y, int slope_limit) const {
+    align::IterativeMotionWarpingOptions options = options_.alignment;
+    options.slope_limit = slope_limit;
+    align::Correspondence correspondence =
+        align::iterative_motion_warping(alignment_features(u, input_scaling_, output_scaling_),
+                                        alignment_features(y, output_scaling_, input_scaling_), options)
+            .correspondence;
+    const double reach = options_.time_warp_smoothing * examples_.frame_rate;
+    correspondence.differential_warp = align::smooth_differential_warp(correspondence.differential_warp, reach * reach);
+    return correspondence;
+  }
+
+  [[nodiscard]] AlignedPair warped(const ClipPair& pair, const FrameMatrix& clip, const FrameMatrix& u,
+                                   const FrameMatrix& y, const align::Correspondence& correspondence) const {
+    FrameMatrix output(u.rows(), y.cols() + 1);
+    output << align::warp_to_input(y, correspondence), correspondence.differential_warp.array().log().matrix();
+    const int lead_in = lead_in_frames(options_, examples_.frame_rate);
+    FrameMatrix input(lead_in + u.rows(), u.cols());
+    input << lead_in_rows(clip, pair.input_frames.begin, lead_in), u;
+    return {pair.input_clip, std::move(input), std::move(output)};
+  }
+
+  const Examples& examples_;
+  const LearnOptions& options_;
+  Normalization input_scaling_, output_scaling_;
+};
+
+}  // namespace
+
+int lead_in_frames(const LearnOptions& options, double frame_rate) {
+  return static_cast<int>(std::lround(options.lead_in * frame_rate));
+}
+
+std::vector<AlignedPair> align_pairs(const Examples& examples, const LearnOptions& options, Diagnostics* diagnostics,
+                                     const Progress& progress) {
+  const PairAligner aligner(examples, options);
+  const std::size_t count = examples.pairs.size();
+  std::vector<std::optional<AlignedPair>> found(count);
+  std::vector<Diagnostics> reports(count);
+  std::mutex mutex;
+  int done = 0;
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    found[i] = aligner.align(examples.pairs[i], reports[i]);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (progress) progress("aligning pairs", ++done, static_cast<int>(count));
+  });
+  std::vector<AlignedPair> aligned;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (found[i]) aligned.push_back(std::move(*found[i]));
+    if (diagnostics != nullptr) diagnostics->append(reports[i]);
+  }
+  if (aligned.empty()) {
+    throw InvalidArgument("pairs", "at least one pair that can be aligned", "none of " + std::to_string(count),
+                          "pair clips of the same action, of at most three times each other's length");
+  }
+  return aligned;
+}
+
+}  // namespace strut::learn

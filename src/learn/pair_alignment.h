@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Every pair's output warped onto its input, with the timing that was taken out kept as one more column.
+#pragma once
+
+#include "learn/examples.h"
+
+#include <vector>
+
+#include <strut/core/diagnostics.h>
+#include <strut/learn/learn_style.h>
+
+namespace strut::learn {
+
+/// One pair in the input's time.
+struct AlignedPair {
+  int input_clip = 0;  ///< pairs of one clip are left out together
+  FrameMatrix input;   ///< lead-in, then the pair (frames x dofs)
+  FrameMatrix output;  ///< the pair alone (frames x dofs + 1): the last column is the log of the differential time warp
+};
+
+/// Frames of input before each pair that the model runs over first.
+int lead_in_frames(const LearnOptions& options, double frame_rate);
+
+/// Aligns every pair by iterative motion warping, in parallel. Pairs that cannot be aligned, or that run along their
+/// slope limit, are left out and reported. Throws InvalidArgument if none is left.
+std::vector<AlignedPair> align_pairs(const Examples& examples, const LearnOptions& options, Diagnostics* diagnostics,
+                                     const Progress& progress);
+
+}  // namespace strut::learn
