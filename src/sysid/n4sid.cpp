@@ -111,6 +111,17 @@ Eigen::MatrixXd HankelFactor::triangle() const {
   return r;
 }
 
+namespace {
+
+/// L (square) of W = L Q' for a W that is at least as wide as high.
+Eigen::MatrixXd lower_factor(const Eigen::MatrixXd& wide) {
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(wide.transpose());
+  const Eigen::MatrixXd r = qr.matrixQR().topRows(wide.rows()).triangularView<Eigen::Upper>();
+  return r.transpose();
+}
+
+}  // namespace
+
 Subspace::Subspace(const HankelFactor& factor, Weighting weighting) : num_outputs_(factor.num_outputs()) {
   constexpr double kSignificant = 1e-13;  // of the largest singular value: smaller ones are rounding
   const Blocks blocks = split(factor);
@@ -120,7 +131,8 @@ Subspace::Subspace(const HankelFactor& factor, Weighting weighting) : num_output
       weighting == Weighting::kN4sid ? oblique_projection(blocks) : Eigen::MatrixXd(blocks.r23.transpose());
   const Eigen::MatrixXd root = weighting == Weighting::kCva ? output_covariance_root(blocks) : Eigen::MatrixXd();
   if (weighting == Weighting::kCva) root.triangularView<Eigen::Lower>().solveInPlace(weighted);
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(weighted, Eigen::ComputeThinU);
+  // Square by a QR decomposition first: the left singular vectors stay, and Jacobi needs no preconditioner of its own.
+  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(lower_factor(weighted), Eigen::ComputeFullU);
   singular_values_ = svd.singularValues();
   observability_ = svd.matrixU();
   if (weighting == Weighting::kCva) observability_ = root.triangularView<Eigen::Lower>() * observability_;
