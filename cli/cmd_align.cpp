@@ -3,7 +3,9 @@
 // paper's Figure 2.
 #include "align_plot.h"
 #include "commands.h"
+#include "input_files.h"
 #include "terminal.h"
+#include "usage.h"
 
 #include <algorithm>
 #include <cctype>
@@ -42,9 +44,12 @@ struct AlignOptions {
   bool shared_units = false, force = false;
 };
 
-const std::map<std::string, Method>& methods() {
-  static const std::map<std::string, Method> names{
-      {"imw", Method::kImw}, {"dtw1", Method::kDtw1}, {"dtw3", Method::kDtw3}, {"timewarp", Method::kTimeWarp}};
+const std::map<std::string, int>& methods() {
+  const auto number = [](Method method) { return static_cast<int>(method); };
+  static const std::map<std::string, int> names{{"imw", number(Method::kImw)},
+                                                {"dtw1", number(Method::kDtw1)},
+                                                {"dtw3", number(Method::kDtw3)},
+                                                {"timewarp", number(Method::kTimeWarp)}};
   return names;
 }
 
@@ -73,7 +78,7 @@ struct Clips {
 };
 
 Clips read_clips(const AlignOptions& options) {
-  Diagnostics diagnostics;
+  PrintedDiagnostics diagnostics;
   Motion input = read_bvh(options.input, {}, &diagnostics).motion;
   Motion output = read_bvh(options.output, {}, &diagnostics).motion;
   if (input.frame_rate() != output.frame_rate()) {
@@ -81,10 +86,10 @@ Clips read_clips(const AlignOptions& options) {
                                                  output.frame_rate(), input.frame_rate(), options.input));
     output = motion::resample(output, input.frame_rate());
   }
-  print_diagnostics(diagnostics);
   for (const auto& [motion, path] : {std::pair(&input, options.input), std::pair(&output, options.output)}) {
-    if (motion->num_frames() < 2) throw Error(path + ": a clip to align needs at least two frames");
+    if (motion->num_frames() < 2) throw BadInput(path, "a clip to align needs at least two frames");
   }
+  check_same_skeleton(options.output, output.skeleton(), options.input, input.skeleton());
   using learn::StyleUnits;
   learn::AlignmentPair features =
       learn::alignment_features(input, output, options.shared_units ? StyleUnits::kShared : StyleUnits::kOwn);
@@ -218,11 +223,10 @@ std::string figure(const Clips& clips, const Answer& answer, const AlignOptions&
 
 void run(const AlignOptions& options) {
   const Overwrite overwrite = overwrite_if(options.force);
-  for (const std::string& path : {options.csv, options.plot}) {
-    if (!path.empty()) check_writable(path, overwrite);
-  }
+  if (!options.csv.empty()) check_output(options.csv, {options.input, options.output}, overwrite);
+  if (!options.plot.empty()) check_output(options.plot, {options.input, options.output, options.csv}, overwrite);
   const Clips clips = read_clips(options);
-  const Answer answer = solve(clips.features, options.method, options);
+  const Answer answer = naming_the_file(options.output, [&] { return solve(clips.features, options.method, options); });
   const Eigen::VectorXd smoothed =
       align::smooth_differential_warp(answer.correspondence.differential_warp, options.warp_smoothness);
   const std::string plot = options.plot.empty() ? std::string() : figure(clips, answer, options);
@@ -248,27 +252,27 @@ void add_align(CLI::App& app) {
       ->add_option("--method", options->method,
                    "imw: iterative motion warping; dtw1, dtw3: dynamic time warping with Rabiner and Juang's local "
                    "constraints of Type I or III; timewarp: the time-warp stage of imw alone (default: imw)")
-      ->transform(CLI::CheckedTransformer(methods(), CLI::ignore_case).description(""))
+      ->transform(one_of(methods()).description(""))
       ->type_name("imw|dtw1|dtw3|timewarp");
   command
       ->add_option("--slope-limit", options->slope_limit,
                    "An input frame covers at most this many output frames and at least one over it; imw and timewarp "
                    "(default: 2)")
-      ->check(CLI::Range(1, align::kLargestSlopeLimit).description(""))
+      ->check(number_in(1, align::kLargestSlopeLimit).description(""))
       ->type_name("N");
   command
       ->add_option("--smoothness", options->smoothness,
                    "Stiffness of imw's spatial warp, for signals of unit variance (default: 100)")
-      ->check(CLI::NonNegativeNumber.description(""))
+      ->check(not_negative().description(""))
       ->type_name("X");
   command->add_option("--rounds", options->rounds, "At most this many rounds of imw (default: 10)")
-      ->check(CLI::Range(1, 1000).description(""))
+      ->check(number_in(1, 1000).description(""))
       ->type_name("N");
   command
       ->add_option("--warp-smoothness", options->warp_smoothness,
                    "Smoothing of the differential warp in the last column of the table [frames^2]; 0: none "
                    "(default: 10)")
-      ->check(CLI::NonNegativeNumber.description(""))
+      ->check(not_negative().description(""))
       ->type_name("X");
   command
       ->add_option(

@@ -3,7 +3,9 @@
 // layout every program reads alike.
 #include "bvh_options.h"
 #include "commands.h"
+#include "input_files.h"
 #include "terminal.h"
+#include "usage.h"
 
 #include <algorithm>
 #include <cctype>
@@ -116,13 +118,12 @@ Motion converted(const Motion& source, const ConvertOptions& options) {
 
 void convert(const ConvertOptions& options) {
   check_writable(options.output, overwrite_if(options.force));
-  Diagnostics diagnostics;
+  PrintedDiagnostics diagnostics;
   const BvhClip clip = read_bvh(options.input, options.read, &diagnostics);
   BvhLayout layout = target_layout(clip, options);
   const Motion motion = converted(clip.motion, options);
   if (motion.frame_rate() != clip.motion.frame_rate()) layout.source_values.reset();
   write_bvh(options.output, motion, layout, overwrite_if(options.force), &diagnostics);
-  print_diagnostics(diagnostics);
 }
 
 void add_target_options(CLI::App& command, ConvertOptions& options) {
@@ -140,7 +141,7 @@ void add_target_options(CLI::App& command, ConvertOptions& options) {
       .add_option_function<double>(
           "--frame-rate", [&options](double rate) { options.frame_rate = rate; },
           "Frames per second of the output; poses between frames are interpolated (default: the input's)")
-      ->check(CLI::Range(1e-3, 1e5))
+      ->check(number_in(1e-3, 1e5))
       ->type_name("RATE");
   command
       .add_option_function<std::string>(
@@ -148,7 +149,7 @@ void add_target_options(CLI::App& command, ConvertOptions& options) {
           "Only the input's frames from BEGIN on and before END, counted from 0; either may be left out (default: all)")
       ->type_name("BEGIN:END");
   command.add_option("--scale", options.scale, "Factor for all lengths (default: 1)")
-      ->check(CLI::Range(1e-6, 1e6))
+      ->check(number_in(1e-6, 1e6))
       ->type_name("FACTOR");
   CLI::Option* keep = command.add_flag(
       "--keep-layout", options.keep_layout,

@@ -189,7 +189,7 @@ class InfoReport {
       if (is_style_model(bytes)) return add_model(path, bytes);
       clips_.push_back(facts_of(path, parse_bvh(bytes, path, options_.read, &diagnostics_)));
     } catch (const Error& error) {
-      if (failure_) fmt::print(stderr, "{}\n", error.what());
+      if (failure_) say(fmt::format("{}\n", error.what()));
       if (!failure_) failure_ = std::current_exception();
     }
   }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // strut learn: learns a style from a pair list.
 #include "commands.h"
+#include "input_files.h"
 #include "learn_report.h"
 #include "paired_clips.h"
 #include "terminal.h"
+#include "usage.h"
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,9 +56,11 @@ json describe_options(const LearnOptions& options) {
 }
 
 void run(const LearnArguments& arguments) {
-  check_writable(arguments.output, overwrite_if(arguments.force));
-  Diagnostics diagnostics;
+  check_output(arguments.output, {arguments.pairs}, overwrite_if(arguments.force));
+  PrintedDiagnostics diagnostics;
   const PairedClips clips = read_paired_clips(arguments.pairs, &diagnostics);
+  check_output(arguments.output, clips.input_paths, overwrite_if(arguments.force));
+  check_output(arguments.output, clips.output_paths, overwrite_if(arguments.force));
   const json sources = {{"strut", version()},
                         {"pair_list", arguments.pairs},
                         {"inputs", describe_files(clips.input_paths)},
@@ -66,17 +69,19 @@ void run(const LearnArguments& arguments) {
   LearntStyle learnt;
   {
     ProgressLine line("learning");
-    learnt = learn_style(
-        clips.inputs, clips.outputs, clips.pairs, arguments.options,
-        [&](const LearnReport& report) {
-          json provenance = sources;
-          provenance["report"] = report_as_json(report);
-          return provenance.dump();
-        },
-        &diagnostics, [&](const std::string& step, int done, int total) { line.update(step, done, total); });
+    const auto provenance = [&](const LearnReport& report) {
+      json all = sources;
+      all["report"] = report_as_json(report);
+      // A file's name may be in any encoding.
+      return all.dump(-1, ' ', false, json::error_handler_t::replace);
+    };
+    const auto progress = [&](const std::string& step, int done, int total) { line.update(step, done, total); };
+    learnt = naming_the_file(arguments.pairs, [&] {
+      return learn_style(clips.inputs, clips.outputs, clips.pairs, arguments.options, provenance, &diagnostics,
+                         progress);
+    });
   }
   write_style_model(arguments.output, *learnt.model, overwrite_if(arguments.force));
-  print_diagnostics(diagnostics);
   print_report(learnt.report, *learnt.model);
 }
 
@@ -89,33 +94,36 @@ void add_learn(CLI::App& app) {
   command->add_option("pairs", arguments->pairs, "Pair list made by strut pair (.toml)")->required();
   command->add_option("-o,--output", arguments->output, "Style model to write (.strut)")->required();
   command->add_option("--max-order", options.identification.max_order, "Largest number of states tried per joint")
-      ->check(CLI::Range(0, 20))
+      ->check(number_in(0, 20))
       ->capture_default_str();
   command
       ->add_option("--block-rows", options.identification.block_rows,
                    "Past and future of subspace identification [frames]")
-      ->check(CLI::Range(1, 50))
+      ->check(number_in(1, 50))
       ->capture_default_str();
   command
       ->add_option("--weighting", options.identification.weighting,
                    "Of the subspace step: n4sid, moesp or cva (default cva)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, sysid::Weighting>{
-          {"n4sid", sysid::Weighting::kN4sid}, {"moesp", sysid::Weighting::kMoesp}, {"cva", sysid::Weighting::kCva}}));
+      ->transform(one_of({{"n4sid", static_cast<int>(sysid::Weighting::kN4sid)},
+                          {"moesp", static_cast<int>(sysid::Weighting::kMoesp)},
+                          {"cva", static_cast<int>(sysid::Weighting::kCva)}})
+                      .description(""))
+      ->type_name("n4sid|moesp|cva");
   command->add_option("--memory", options.longest_memory, "Slowest decay the model's states may have, to 1/e [s]")
-      ->check(CLI::Range(0.01, 100.0))
+      ->check(number_in(0.01, 100.0))
       ->capture_default_str();
   command->add_option("--ridge", options.identification.ridge, "Shrinkage of the matrices B and D, 0 for none")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(number_in(0.0, 10.0))
       ->capture_default_str();
   command
       ->add_option("--smoothness", options.alignment.space.scale_smoothness, "Weight of smoothness in the space warp")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   command->add_option("--time-smoothing", options.time_warp_smoothing, "Reach of the time warp's smoothing [s]")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(number_in(0.0, 10.0))
       ->capture_default_str();
   command->add_option("--frame-rate", options.frame_rate, "Frames per second of the model; 0: the first input clip's")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_in(0, 1000))
       ->capture_default_str();
   command->add_flag("--force", arguments->force, "Overwrite an existing file");
   command->callback([arguments] {

@@ -2,6 +2,7 @@
 // strut measure: how much the feet of clips slide, how smooth they are, how they walk, and how far they are from other
 // clips: each figure with its worst value, where and when. As text for a person or as JSON for a program.
 #include "commands.h"
+#include "input_files.h"
 #include "terminal.h"
 
 #include <memory>
@@ -50,16 +51,6 @@ struct Figures {
   std::vector<metrics::ClipDistance> distances;  ///< to each of the other clips
 };
 
-/// What the library refuses does not know the file's name; the person needs it.
-template <typename Measure>
-auto naming_the_file(const std::string& path, Measure measure) {
-  try {
-    return measure();
-  } catch (const InvalidArgument& error) {
-    throw Error(path + ": cannot be measured: " + error.what(), error.hint());
-  }
-}
-
 std::vector<Clip> read_clips(const std::vector<std::string>& paths, Diagnostics& diagnostics) {
   std::vector<Clip> clips;
   for (const std::string& path : paths) {
@@ -73,12 +64,8 @@ std::vector<Clip> read_clips(const std::vector<std::string>& paths, Diagnostics&
 std::vector<metrics::ClipDistance> distances_to(const Clip& clip, const std::vector<Clip>& others) {
   std::vector<metrics::ClipDistance> distances;
   for (const Clip& other : others) {
-    try {
-      distances.push_back(metrics::clip_distance(clip.track, other.track));
-    } catch (const SkeletonMismatch& error) {
-      throw SkeletonMismatch(fmt::format("{}: error: {} does not fit: {}", clip.path, other.path, error.what()),
-                             error.hint());
-    }
+    check_same_skeleton(other.path, other.motion.skeleton(), clip.path, clip.motion.skeleton());
+    distances.push_back(metrics::clip_distance(clip.track, other.track));
   }
   return distances;
 }
@@ -227,10 +214,9 @@ Json json_report(const std::vector<Clip>& clips, const std::vector<Clip>& others
 }
 
 void run(const MeasureOptions& options) {
-  Diagnostics diagnostics;
+  PrintedDiagnostics diagnostics;
   const auto clips = read_clips(options.clips, diagnostics);
   const auto others = read_clips(options.against, diagnostics);
-  print_diagnostics(diagnostics);
   std::vector<Figures> all;
   all.reserve(clips.size());
   for (const Clip& clip : clips) all.push_back(measure(clip, others));

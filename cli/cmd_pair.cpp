@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // strut pair: clips in two styles in, a pair list out, and a summary from which a person sees what was paired and why.
 #include "commands.h"
+#include "input_files.h"
 #include "terminal.h"
+#include "usage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +44,7 @@ std::vector<Motion> read_clips(const std::vector<std::string>& paths, Diagnostic
   std::vector<Motion> clips;
   for (const std::string& path : paths) {
     clips.push_back(read_bvh(path, {}, &diagnostics).motion);
-    const std::string mismatch = describe_mismatch(clips.front().skeleton(), clips.back().skeleton());
-    if (!mismatch.empty()) throw SkeletonMismatch(path + ": not the skeleton of " + paths.front() + ": " + mismatch);
+    check_same_skeleton(path, clips.back().skeleton(), paths.front(), clips.front().skeleton());
   }
   return clips;
 }
@@ -167,19 +168,20 @@ constexpr const char* kHeading =
 
 void run_pair(const PairArguments& arguments) {
   const Overwrite overwrite = overwrite_if(arguments.force);
-  check_writable(arguments.list, overwrite);
-  Diagnostics diagnostics;
+  check_output(arguments.list, arguments.inputs, overwrite);
+  check_output(arguments.list, arguments.outputs, overwrite);
+  PrintedDiagnostics diagnostics;
   const std::vector<Motion> inputs = read_clips(arguments.inputs, diagnostics);
   const std::vector<Motion> outputs = read_clips(arguments.outputs, diagnostics);
-  const std::string mismatch = describe_mismatch(inputs.front().skeleton(), outputs.front().skeleton());
-  if (!mismatch.empty()) throw SkeletonMismatch("input and output clips have different skeletons: " + mismatch);
+  check_same_skeleton(arguments.outputs.front(), outputs.front().skeleton(), arguments.inputs.front(),
+                      inputs.front().skeleton());
   Diagnostics found;
   const Pairing pairing = learn::find_pairs(inputs, outputs, arguments.options, &found);
   name_files(found, arguments, diagnostics);
-  print_diagnostics(diagnostics);
   print_summary(pairing, arguments);
   if (pairing.pairs.empty()) {
-    throw Error("no pair could be made, nothing was written", "give clips of the same action in both styles");
+    throw BadInput(arguments.inputs.front(), "no pair could be made of these clips, nothing was written",
+                   "give clips of the same action in both styles");
   }
   write_pair_list(arguments.list, entries_of(pairing, arguments), kHeading, overwrite);
   fmt::print("written {}\n", arguments.list);
@@ -198,7 +200,7 @@ void add_pair(CLI::App& app) {
       ->add_option("--neighbours", arguments->options.neighbours,
                    "Output stretches that every input stretch is paired with")
       ->capture_default_str()
-      ->check(CLI::Range(1, 100));
+      ->check(number_in(1, 100));
   command->add_flag("--whole", arguments->options.whole, "Pair whole clips even where they walk");
   command->add_flag("--force", arguments->force, "Overwrite the pair list if it is there");
   command->callback([arguments] { run_pair(*arguments); });

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // strut translate: puts a learnt style on a clip.
 #include "commands.h"
+#include "input_files.h"
 #include "terminal.h"
+#include "usage.h"
 
 #include <memory>
 #include <string>
@@ -29,16 +31,16 @@ struct TranslateArguments {
 }
 
 void run(const TranslateArguments& arguments) {
-  check_writable(arguments.output, overwrite_if(arguments.force));
-  Diagnostics diagnostics;
+  check_output(arguments.output, {arguments.model, arguments.clip}, overwrite_if(arguments.force));
+  PrintedDiagnostics diagnostics;
   const auto model = read_style_model(arguments.model);
   const BvhClip clip = read_bvh(arguments.clip, {}, &diagnostics);
   try {
-    const Motion result = translate_motion(model, clip.motion, arguments.options, &diagnostics);
+    const Motion result = naming_the_file(
+        arguments.clip, [&] { return translate_motion(model, clip.motion, arguments.options, &diagnostics); });
     const BvhLayout layout =
         arguments.keep_layout ? clip.layout : default_layout(result.skeleton(), clip.layout.unit, clip.layout.up);
     write_bvh(arguments.output, result, layout, overwrite_if(arguments.force), &diagnostics);
-    print_diagnostics(diagnostics);
     fmt::print("{}: {} frames, {:.2f} s (input {:.2f} s)\n", arguments.output, result.num_frames(), result.duration(),
                clip.motion.duration());
   } catch (const SkeletonMismatch& error) {
@@ -55,13 +57,13 @@ void add_translate(CLI::App& app) {
   command->add_option("clip", arguments->clip, "BVH clip in the model's input style")->required();
   command->add_option("-o,--output", arguments->output, "BVH file to write")->required();
   command->add_option("--strength", arguments->options.strength, "How much of the style: 0 none, 1 all, up to 1.5")
-      ->check(CLI::Range(0.0, 1.5))
+      ->check(number_in(0.0, 1.5))
       ->capture_default_str();
   command->add_flag("!--no-retime", arguments->options.retime, "Keep the input's timing, frame for frame");
   command
       ->add_option("--warm-up", arguments->options.warm_up,
                    "Seconds of motion extrapolated before the clip, 0 for none")
-      ->check(CLI::Range(0.0, 60.0))
+      ->check(number_in(0.0, 60.0))
       ->capture_default_str();
   command->add_flag("--keep-layout", arguments->keep_layout,
                     "Write the input file's channels instead of six on the root, three elsewhere");

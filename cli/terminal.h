@@ -20,8 +20,22 @@ enum ExitCode {
   kMismatch = 4,
 };
 
-/// Prints each report as `where: note: message` or `where: warning: message`, then its hint. Repeats are printed once.
+/// Writes to standard error. What cannot be written there (closed, disk full) is nobody's to know.
+void say(const std::string& text);
+
+/// Prints each report as `where: note: message` or `where: warning: message`, then its hint. Repeats are printed once,
+/// and the same message about several files as one about `FIRST and 7 others`.
 void print_diagnostics(const Diagnostics& diagnostics);
+
+/// A sink that prints what it has got when it goes: all of it, or only the warnings where an error ends the command, as
+/// what was assumed about a file no longer matters then.
+class PrintedDiagnostics : public Diagnostics {
+ public:
+  PrintedDiagnostics() = default;
+  PrintedDiagnostics(const PrintedDiagnostics&) = delete;
+  PrintedDiagnostics& operator=(const PrintedDiagnostics&) = delete;
+  ~PrintedDiagnostics();
+};
 
 /// kAllow with --force, else kRefuse.
 inline Overwrite overwrite_if(bool force) {

@@ -32,8 +32,11 @@ ParseError::ParseError(std::string path, std::size_t line, std::size_t column, s
       line_(line),
       column_(column) {}
 
-FileError::FileError(FileAction action, std::string path, const std::string& reason, std::string hint)
-    : Error(path + ": error: " + reason, std::move(hint)), action_(action), path_(std::move(path)) {}
+FileError::FileError(FileAction action, std::string path, std::string reason, std::string hint)
+    : Error(path + ": error: " + reason, std::move(hint)),
+      action_(action),
+      path_(std::move(path)),
+      reason_(std::move(reason)) {}
 
 VersionError::VersionError(const std::string& path, int found, int supported)
     : Error(path + ": error: the file has format version " + std::to_string(found) + ", this strut reads version " +

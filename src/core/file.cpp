@@ -142,6 +142,7 @@ std::string resolved(const std::string& path) {
 }  // namespace
 
 std::string read_file(const std::string& path) {
+  if (path.empty()) throw FileError(FileAction::kRead, "''", "is no file name");
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.is_open()) throw FileError(FileAction::kRead, path, "cannot open: " + reason());
   struct stat status {};
@@ -163,9 +164,12 @@ std::string read_file(const std::string& path) {
 }
 
 void check_writable(const std::string& path, Overwrite overwrite) {
+  if (path.empty()) throw FileError(FileAction::kWrite, "''", "is no file name");
   struct stat status {};
   if (!is_regular_or_missing(path)) return;
   if (overwrite == Overwrite::kRefuse && ::stat(path.c_str(), &status) == 0) refuse_existing(path);
+  if (::access(folder_of(path).c_str(), F_OK) != 0)
+    throw FileError(FileAction::kWrite, path, "there is no folder '" + folder_of(path) + "' to write it to");
   if (::access(folder_of(path).c_str(), W_OK | X_OK) != 0)
     throw FileError(FileAction::kWrite, path, "cannot write: " + reason());
 }

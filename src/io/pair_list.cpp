@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <regex>
 #include <sstream>
 
 #include <toml++/toml.h>
@@ -165,14 +166,33 @@ std::string frames_line(const char* key, const std::optional<motion::FrameRange>
   return std::string(key) + " = [" + std::to_string(frames->begin) + ", " + std::to_string(frames->end) + "]\n";
 }
 
+/// The TOML parser's description, e.g. "Error while parsing key-value pair: expected '=', saw 'x'", in the words of our
+/// other messages.
+[[noreturn]] void refuse(const std::string& path, const toml::parse_error& error) {
+  static const std::regex kDescription("Error while parsing ([^:]*): (?:expected ([^]*), saw )?([^]*)");
+  static const std::regex kStructure("key|key-value pair|.*table.*");
+  const std::string text(error.description());
+  std::smatch part;
+  std::string expected = "a pair list in TOML", found = text;
+  if (std::regex_match(text, part, kDescription)) {
+    found = part[3];
+    if (!std::regex_match(part[1].str(), kStructure)) {
+      expected = "a file name in quotes or whole numbers";
+    } else if (part[2].matched) {
+      expected = part[2];
+    }
+  }
+  throw ParseError(path, error.source().begin.line, error.source().begin.column, expected, found,
+                   "a pair list is made by strut pair");
+}
+
 }  // namespace
 
 std::vector<PairListEntry> parse_pair_list(std::string_view text, const std::string& path) {
   try {
     return Reader(path).read(toml::parse(text, path));
   } catch (const toml::parse_error& error) {
-    throw ParseError(path, error.source().begin.line, error.source().begin.column, "TOML",
-                     "'" + std::string(error.description()) + "'");
+    refuse(path, error);
   }
 }
 

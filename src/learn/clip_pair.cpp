@@ -111,8 +111,8 @@ std::string refusal(const PairFeatures& a, const PairFeatures& b, const PairingO
 
 ClipPair make_pair(const Stretch& input, const Stretch& output, double distance) {
   const int slope_limit = slope_limit_for(input.features.duration, output.features.duration);
-  return {input.clip, output.clip, input.frames,   output.frames,   slope_limit,
-          input.kind, input.foot,  input.features, output.features, distance};
+  return {input.clip, output.clip,    input.frames,    output.frames, slope_limit, input.kind,
+          input.foot, input.features, output.features, distance,      {}};
 }
 
 /// Every pair of one kind.

@@ -197,6 +197,7 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
 
   const Scalings scalings = fit_scalings(aligned);
   std::vector<StyleBlock> blocks = plan_blocks(examples.input.representation, scalings, report);
+  if (blocks.empty()) throw InvalidArgument("pairs", "clips in which something moves", "none");
   identify_blocks(aligned, scalings, frame_rate, options, blocks, report, diagnostics, progress);
   StyleModelParts parts{frame_rate,
                         examples.input.representation,

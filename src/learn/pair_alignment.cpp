@@ -33,6 +33,10 @@ FrameMatrix rows_of(const FrameMatrix& clip, const FrameRange& range) {
   return clip.middleRows(range.begin, range.end - range.begin);
 }
 
+bool is_too_short(const FrameRange& range, double frame_rate) {
+  return range.end - range.begin < kShortestStretch * frame_rate;
+}
+
 /// The `count` rows before frame `begin`, continued backward where the clip does not reach.
 FrameMatrix lead_in_rows(const FrameMatrix& clip, int begin, int count) {
   FrameMatrix before(count, clip.cols());
@@ -52,6 +56,11 @@ class PairAligner {
 
   /// The pair in the input's time, or nothing and a warning.
   std::optional<AlignedPair> align(const ClipPair& pair, Diagnostics& diagnostics) const {
+    if (is_too_short(pair.input_frames, examples_.frame_rate) ||
+        is_too_short(pair.output_frames, examples_.frame_rate)) {
+      diagnostics.warn(name_of(pair), "left out: it lasts less than 0.2 s");
+      return std::nullopt;
+    }
     const FrameMatrix& clip = examples_.input.clips[static_cast<std::size_t>(pair.input_clip)];
     const FrameMatrix u = rows_of(clip, pair.input_frames);
     const FrameMatrix y =

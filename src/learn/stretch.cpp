@@ -20,6 +20,8 @@ constexpr double kFastQuantile = 0.95;
 constexpr double kMargin = 0.1;
 // Below this nothing moves but noise [m/s].
 constexpr double kStill = 0.02;
+// Slower than this a clip is one pose, held [m/s].
+constexpr double kNoMovement = 0.001;
 // A clip that steps travels if its strides are longer than this share of the leg.
 constexpr double kLeastStride = 0.25;
 
@@ -131,6 +133,17 @@ std::vector<Stretch> cycles_of(const Motion& motion, int clip, const PairingOpti
   return stretches;
 }
 
+/// Empty for a clip that can be used.
+std::string reason_to_leave_out(const Motion& motion) {
+  const int frames = motion.num_frames();
+  if (frames < 2 || frames < kShortestStretch * motion.frame_rate()) {
+    return "it has " + std::to_string(frames) + (frames == 1 ? " frame" : " frames") + ", shorter than 0.2 s";
+  }
+  const std::vector<double> speeds = fastest_speeds(motion);
+  const bool moves = std::any_of(speeds.begin(), speeds.end(), [](double speed) { return speed > kNoMovement; });
+  return moves ? "" : "nothing moves in it";
+}
+
 }  // namespace
 
 FrameRange moving_part(const Motion& motion) {
@@ -153,11 +166,8 @@ std::vector<Stretch> stretches_of(const std::vector<Motion>& clips, const Pairin
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const int clip = static_cast<int>(i);
-    if (clips[i].num_frames() < 2) {
-      if (diagnostics != nullptr) {
-        diagnostics->warn("clip " + std::to_string(i), "left out: it has " + std::to_string(clips[i].num_frames()) +
-                                                           (clips[i].num_frames() == 1 ? " frame" : " frames"));
-      }
+    if (const std::string reason = reason_to_leave_out(clips[i]); !reason.empty()) {
+      if (diagnostics != nullptr) diagnostics->warn("clip " + std::to_string(i), "left out: " + reason);
       continue;
     }
     std::vector<Stretch> found;

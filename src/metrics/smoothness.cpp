@@ -42,8 +42,9 @@ Smoothness smoothness(const Motion& motion) {
   const BodyTrack full = body_track(motion, motion.frame_rate());
   const BodyTrack track = rate == motion.frame_rate() ? full : body_track(motion, rate);
   if (track.num_frames() < kFramesForJerk) {
-    throw InvalidArgument("motion", std::to_string(kFramesForJerk) + " frames at " + std::to_string(rate) + " frames/s",
-                          std::to_string(track.num_frames()));
+    throw InvalidArgument(
+        "motion", std::to_string(kFramesForJerk) + " frames at " + std::to_string(std::lround(rate)) + " frames/s",
+        std::to_string(track.num_frames()));
   }
   // The n-th difference of rows r .. r+n belongs to the time of row r + n/2.
   const FrameMatrix jerks = differences(differences(differences(track.positions_heading))) * (rate * rate * rate);

@@ -88,7 +88,7 @@ TEST_F(Align, RefusesWhatItCannotDoAndWritesNothing) {
   const std::string table = folder_.file("table.csv"), plot = folder_.file("plot.svg");
   const std::string walk = clip("walk.bvh", 1.0), brief = clip("brief.bvh", 1.0, 0.7);
   const ProgramResult lengths = align({walk, brief, "--csv", table});
-  EXPECT_EQ(lengths.exit_code, 1);
+  EXPECT_EQ(lengths.exit_code, 3);
   EXPECT_THAT(lengths.err, HasSubstr("slope limit of 3"));
   const ProgramResult dof = align({walk, walk, "--csv", table, "--plot", plot, "--dof", "tail"});
   EXPECT_EQ(dof.exit_code, 1);

@@ -129,7 +129,7 @@ TEST_F(Convert, RefusesOptionsThatMakeNoSense) {
   for (const auto& [options, message] : wrong) {
     const ProgramResult result = convert(kPerson, options);
     EXPECT_EQ(result.exit_code, 2) << message;
-    EXPECT_THAT(result.err, StartsWith(message + "\n"));
+    EXPECT_THAT(result.err, StartsWith("strut convert: error: " + message + "\n"));
   }
   EXPECT_EQ(convert(kPerson, {"--frame-rate", "0"}).exit_code, 2);
   EXPECT_EQ(convert(kPerson, {"--rotation-order", "xyz", "--keep-layout"}).exit_code, 2);

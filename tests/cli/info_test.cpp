@@ -90,7 +90,7 @@ TEST(Info, TellsTheGoodFilesAndNamesEveryBadOne) {
 TEST(Info, RefusesAUnitThatIsNone) {
   const ProgramResult result = info({kPerson, "--unit", "parsec"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, StartsWith("--unit: expected m, cm, mm, in or ft, got 'parsec'\n"));
+  EXPECT_THAT(result.err, StartsWith("strut info: error: --unit: expected m, cm, mm, in or ft, got 'parsec'\n"));
 }
 
 TEST(Info, WantsAFile) {

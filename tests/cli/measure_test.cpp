@@ -97,8 +97,8 @@ TEST_F(Measure, NamesTheFileThatCannotBeMeasured) {
   const Motion short_clip = test_motion(2, 30.0);
   write_bvh(folder_.file("short.bvh"), short_clip, default_layout(short_clip.skeleton()));
   const ProgramResult result = measure({folder_.file("short.bvh")});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("short.bvh: cannot be measured: "));
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("short.bvh: error: expected 4 frames at 30 frames/s, got 2\n"));
 }
 
 TEST_F(Measure, ExitsWith3ForAMissingFileAnd2WithoutOne) {

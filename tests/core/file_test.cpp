@@ -111,7 +111,8 @@ TEST(WriteFile, GivesThePermissionsTheUmaskAsksFor) {
 TEST(WriteFile, NamesAMissingFolder) {
   const TemporaryFolder folder;
   const std::string path = folder.file("nowhere/out.bvh");
-  EXPECT_EQ(message_of([&] { write_file(path, "x"); }), path + ": error: cannot write: No such file or directory");
+  EXPECT_EQ(message_of([&] { write_file(path, "x"); }),
+            path + ": error: there is no folder '" + folder.file("nowhere") + "' to write it to");
 }
 
 TEST(WriteFile, RefusesAFolder) {

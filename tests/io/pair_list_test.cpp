@@ -109,7 +109,7 @@ TEST(PairList, SaysWhereTextIsNotToml) {
     FAIL();
   } catch (const ParseError& error) {
     EXPECT_EQ(error.line(), 2U);
-    EXPECT_EQ(error.expected(), "TOML");
+    EXPECT_EQ(error.expected(), "a file name in quotes or whole numbers");
   }
 }
 

@@ -44,13 +44,14 @@ enum class FileAction { kRead, kWrite };
 /// A file cannot be opened, read or written: what() names the path and the system's reason.
 class FileError : public Error {
  public:
-  FileError(FileAction action, std::string path, const std::string& reason, std::string hint = {});
+  FileError(FileAction action, std::string path, std::string reason, std::string hint = {});
   [[nodiscard]] FileAction action() const noexcept { return action_; }
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  [[nodiscard]] const std::string& reason() const noexcept { return reason_; }
 
  private:
   FileAction action_;
-  std::string path_;
+  std::string path_, reason_;
 };
 
 /// A file was written by a version of strut whose format this one does not read.

@@ -54,6 +54,9 @@ struct ClipPair {
   std::string name = {};  ///< what reports call it; empty: by the clips' indices
 };
 
+/// Anything shorter is no movement that could be aligned or paired [s].
+constexpr double kShortestStretch = 0.2;
+
 /// How stretches are matched.
 struct PairingOptions {
   int neighbours = 2;           ///< style stretches that every input stretch is paired with, >= 1

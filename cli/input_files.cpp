@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "input_files.h"
+
+#include <filesystem>
+#include <system_error>
+
+namespace strut::cli {
+
+void check_same_skeleton(const std::string& path, const Skeleton& skeleton, const std::string& reference_path,
+                         const Skeleton& reference) {
+  const std::string mismatch = describe_mismatch(reference, skeleton);
+  if (mismatch.empty()) return;
+  throw SkeletonMismatch(path + ": error: not the skeleton of " + reference_path + ": " + mismatch);
+}
+
+void check_output(const std::string& output, const std::vector<std::string>& inputs, Overwrite overwrite) {
+  check_writable(output, overwrite);
+  for (const std::string& input : inputs) {
+    std::error_code missing;
+    const bool is_input = output == input || std::filesystem::equivalent(output, input, missing);
+    if (is_input && !std::filesystem::is_character_file(output, missing)) {
+      throw FileError(FileAction::kWrite, output, "is needed as '" + input + "' and cannot be overwritten",
+                      "give the output a name of its own");
+    }
+  }
+}
+
+}  // namespace strut::cli
