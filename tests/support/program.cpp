@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/program.h"
 
-#include "support/data.h"
-
 #include <cstdlib>
+#include <filesystem>
 #include <sys/wait.h>
 
 #include <strut/core/file.h>
@@ -30,6 +29,21 @@ ProgramResult run_program(const std::string& program, const std::vector<std::str
   result.out = read_file(folder.file("out"));
   result.err = read_file(folder.file("err"));
   return result;
+}
+
+ProgramResult Workplace::run(const std::string& program, std::vector<std::string> arguments) const {
+  for (std::string& argument : arguments) {
+    if (argument[0] == '@') argument = file(argument.substr(1));
+  }
+  return run_program(program, arguments);
+}
+
+std::set<std::string> Workplace::entries() const {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
 }
 
 }  // namespace strut::test
