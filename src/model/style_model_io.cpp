@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Between StyleModel and its FlatBuffers file. The Verifier proves that every offset stays inside the bytes; the
 // constructors of StyleModel and its parts then check that the content means something.
+#include <cstdint>
 #include <cstring>
 #include <style_model_generated.h>
 #include <utility>
@@ -61,7 +62,16 @@ Offset<fb::Block> write_block(FlatBufferBuilder& out, const StyleBlock& block) {
   throw ParseError(name, 0, 0, "an intact style model", found, "learn the model again, or copy the file again");
 }
 
-Eigen::VectorXd vector_of(const flatbuffers::Vector<double>& numbers) {
+/// The Verifier looks at where a vector begins, but its elements stand behind a shorter count. (An empty one may stand
+/// anywhere.)
+template <typename Elements>
+void check_alignment(const Elements& elements, const std::string& name) {
+  if (elements.size() == 0 || reinterpret_cast<std::uintptr_t>(elements.Data()) % alignof(double) == 0) return;
+  refuse(name, "numbers that are out of place");
+}
+
+Eigen::VectorXd vector_of(const flatbuffers::Vector<double>& numbers, const std::string& name) {
+  check_alignment(numbers, name);
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
@@ -69,6 +79,7 @@ Eigen::MatrixXd matrix_of(const flatbuffers::Vector<double>& numbers, Eigen::Ind
                           const std::string& name) {
   if (static_cast<Eigen::Index>(numbers.size()) != rows * cols)
     refuse(name, "a matrix of another size than its block's");
+  check_alignment(numbers, name);
   return Eigen::Map<const FrameMatrix>(numbers.data(), rows, cols);
 }
 
@@ -87,6 +98,7 @@ representation::Representation read_representation(const fb::StyleModel& root, c
                                                    const std::shared_ptr<const Skeleton>& skeleton,
                                                    const std::string& name) {
   std::vector<Eigen::Quaterniond> means;
+  check_alignment(*style.mean_rotations(), name);
   for (const fb::Quaternion* q : *style.mean_rotations()) {
     means.push_back(from_fb(*q));
     if (!(std::abs(means.back().norm() - 1.0) < 1e-6)) refuse(name, "a rotation that is not of unit length");
@@ -113,8 +125,8 @@ std::shared_ptr<const StyleModel> read_model(const fb::StyleModel& root, const s
   StyleModelParts parts{root.frame_rate(),
                         read_representation(root, *root.input(), skeleton, name),
                         read_representation(root, *root.output(), skeleton, name),
-                        {vector_of(*root.input()->mean()), vector_of(*root.input()->scale())},
-                        {vector_of(*root.output()->mean()), vector_of(*root.output()->scale())},
+                        {vector_of(*root.input()->mean(), name), vector_of(*root.input()->scale(), name)},
+                        {vector_of(*root.output()->mean(), name), vector_of(*root.output()->scale(), name)},
                         {},
                         root.provenance()->str()};
   for (const fb::Block* block : *root.blocks()) parts.blocks.push_back(read_block(*block, name));
