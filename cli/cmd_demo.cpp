@@ -352,7 +352,7 @@ void add_demo(CLI::App& app) {
                    "Folder for the clips, the pair list, the model, the page and the picture; made if missing")
       ->type_name("FOLDER")
       ->capture_default_str();
-  command->add_flag("-f,--force", options->force, "Overwrite what an earlier run left in the folder (default: refuse)");
+  command->add_flag("--force", options->force, "Overwrite what an earlier run left in the folder (default: refuse)");
   command
       ->add_option("--seed", options->seed, "Seed of the walker's small variation from step to step; any whole number")
       ->type_name("N")

@@ -59,8 +59,8 @@ std::optional<LearnReport> report_from_json(const Json& json) {
 }
 
 void print_report(const LearnReport& report, const StyleModel& model) {
-  fmt::print("learnt from {} pairs, {:.1f} s of input ({} refused)\n", report.num_pairs, report.seconds,
-             report.num_refused);
+  fmt::print("learnt from {} pair{}, {:.1f} s of input ({} left out)\n", report.num_pairs,
+             report.num_pairs == 1 ? "" : "s", report.seconds, report.num_refused);
   fmt::print("covers speeds {:.2f} to {:.2f} m/s, turning {:+.0f} to {:+.0f} deg/s (left is positive)\n",
              report.speed.least, report.speed.greatest, degrees(report.turning_rate.least),
              degrees(report.turning_rate.greatest));

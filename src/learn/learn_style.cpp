@@ -85,6 +85,16 @@ FrameMatrix columns_of(const FrameMatrix& rows, const std::vector<int>& dofs) {
   return result;
 }
 
+/// What identification did without, by the block's name. Its notes (fewer block rows on short clips) help nobody here.
+void report_warnings(const std::vector<StyleBlock>& blocks, const std::vector<Diagnostics>& reports,
+                     Diagnostics& diagnostics) {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (const Diagnostic& entry : reports[b].entries()) {
+      if (entry.severity == Severity::kWarning) diagnostics.warn("'" + blocks[b].name + "'", entry.message, entry.hint);
+    }
+  }
+}
+
 /// Identifies every block's system, in parallel.
 void identify_blocks(const std::vector<AlignedPair>& aligned, const Scalings& scalings, double frame_rate,
                      const LearnOptions& options, std::vector<StyleBlock>& blocks, LearnReport& report,
@@ -116,8 +126,7 @@ void identify_blocks(const std::vector<AlignedPair>& aligned, const Scalings& sc
     const std::lock_guard<std::mutex> lock(mutex);
     if (progress) progress("identifying joints", ++done, static_cast<int>(blocks.size()));
   });
-  if (diagnostics == nullptr) return;
-  for (const Diagnostics& found : reports) diagnostics->append(found);
+  if (diagnostics != nullptr) report_warnings(blocks, reports, *diagnostics);
 }
 
 /// E[exp(log w)] is not exp(E[log w]) (Jensen): one constant makes the durations of all examples together come out

@@ -64,8 +64,9 @@ using DescribeProvenance = std::function<std::string(const LearnReport&)>;
 
 /// Learns the translation from the clips `inputs` to the clips `outputs` by the pairs between them.
 /// All clips have one hierarchy.
-/// Throws InvalidArgument if there is no pair, a pair names a clip or frames that do not exist, or no pair can be
-/// aligned; SkeletonMismatch if hierarchies differ. Reports refused pairs and what the examples do not cover.
+/// Throws InvalidArgument if there is no pair, a pair names a clip or frames that do not exist, no pair can be aligned,
+/// or nothing moves in them; SkeletonMismatch if hierarchies differ. Reports pairs that are left out (shorter than
+/// learn::kShortestStretch, not to be aligned, along their slope limit) and what the examples do not cover.
 /// The result does not depend on the number of threads.
 LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Motion>& outputs,
                         const std::vector<learn::ClipPair>& pairs, const LearnOptions& options = {},
