@@ -59,7 +59,8 @@ void add_translate(CLI::App& app) {
   command->add_option("--strength", arguments->options.strength, "How much of the style: 0 none, 1 all, up to 1.5")
       ->check(number_in(0.0, 1.5))
       ->capture_default_str();
-  command->add_flag("!--no-retime", arguments->options.retime, "Keep the input's timing, frame for frame");
+  command->add_flag_callback(
+      "--no-retime", [arguments] { arguments->options.retime = false; }, "Keep the input's timing, frame for frame");
   command
       ->add_option("--warm-up", arguments->options.warm_up,
                    "Seconds of motion extrapolated before the clip, 0 for none")
