@@ -51,10 +51,12 @@ Eigen::Quaterniond mean_of_joint(const std::vector<Motion>& motions, int joint) 
 void place_chain(const Representation& representation, const RootTransform& root, Pose& pose) {
   const Skeleton& skeleton = representation.skeleton();
   Eigen::Vector3d rest = Eigen::Vector3d::Zero();
-  for (const int joint : chain_to_pelvis(skeleton)) {
+  // Walked in place: this runs every frame, and a list of the chain would be an allocation.
+  for (int joint = 0;; joint = skeleton.children(joint).front()) {
     pose.rotations[at(joint)].setIdentity();
     pose.translations[at(joint)] = skeleton.joint(joint).offset;
     if (joint != representation.travel_joint()) rest += skeleton.joint(joint).offset;
+    if (joint == skeleton.pelvis()) break;
   }
   pose.rotations[at(skeleton.pelvis())] = root.rotation;
   pose.translations[at(representation.travel_joint())] = root.position - rest;
