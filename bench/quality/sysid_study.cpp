@@ -138,6 +138,8 @@ IdentifyOptions parse_options(int argc, char** argv, IdentifyOptions options) {
       options.max_radius = std::stod(value);
     else if (name == "tolerance")
       options.order_tolerance = std::stod(value);
+    else if (name == "refine")
+      options.refine_iterations = std::stoi(value);
     else if (name == "weighting" && value == "cva")
       options.weighting = Weighting::kCva;
     else if (name == "weighting" && value == "moesp")

@@ -45,6 +45,7 @@ Balance::Balance(const std::vector<Experiment>& experiments)
   const Eigen::MatrixXd directions = eigen.eigenvectors().rightCols(kept);
   input_map_ =
       variances.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() * directions.transpose() * unit.asDiagonal();
+  input_unmap_ = unit.cwiseInverse().asDiagonal() * directions * variances.tail(kept).cwiseSqrt().asDiagonal();
 }
 
 std::vector<Experiment> Balance::apply(const std::vector<Experiment>& experiments) const {
@@ -55,6 +56,11 @@ std::vector<Experiment> Balance::apply(const std::vector<Experiment>& experiment
         {e.input * input_map_.transpose(), e.output * output_scale_.cwiseInverse().asDiagonal(), e.lead_in});
   }
   return balanced;
+}
+
+LtiSystem Balance::apply(const LtiSystem& system) const {
+  const auto shrink = output_scale_.cwiseInverse().asDiagonal();
+  return {system.a(), system.b() * input_unmap_, shrink * system.c(), shrink * system.d() * input_unmap_};
 }
 
 LtiSystem Balance::undo(const LtiSystem& system) const {

@@ -12,6 +12,7 @@
 #include <Eigen/QR>
 
 #include <strut/core/error.h>
+#include <strut/sysid/initial_state.h>
 #include <strut/sysid/input_matrices.h>
 
 namespace strut::sysid {
@@ -110,7 +111,6 @@ Eigen::VectorXd solve(const NormalEquations& equations, double ridge) {
 
 LtiSystem fit_input_matrices(const Eigen::MatrixXd& a, const Eigen::MatrixXd& c,
                              const std::vector<Experiment>& experiments, double ridge) {
-  constexpr double kForgotten = 0.1;
   check_experiments(experiments);
   if (!(ridge >= 0.0 && std::isfinite(ridge))) throw InvalidArgument("ridge", "0 or more", std::to_string(ridge));
   const Eigen::Index n = a.rows();
@@ -120,7 +120,7 @@ LtiSystem fit_input_matrices(const Eigen::MatrixXd& a, const Eigen::MatrixXd& c,
   const double radius = LtiSystem(a, Eigen::MatrixXd::Zero(n, m), c, Eigen::MatrixXd::Zero(l, m)).spectral_radius();
   NormalEquations equations{Eigen::MatrixXd::Zero(m * (n + l), m * (n + l)), Eigen::VectorXd::Zero(m * (n + l))};
   for (const Experiment& clip : experiments) {
-    const bool project_initial = n > 0 && std::pow(radius, clip.lead_in) > kForgotten;
+    const bool project_initial = n > 0 && !forgets_initial_state(radius, clip.lead_in);
     accumulate(regression(a, c, clip, project_initial), l, equations);
   }
   const Eigen::VectorXd unknowns = solve(equations, ridge);

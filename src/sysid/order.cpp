@@ -38,4 +38,19 @@ int smallest_good_order(const std::vector<double>& fits, double tolerance) {
   return static_cast<int>(good - fits.begin());
 }
 
+int largest_gap(const Eigen::VectorXd& singular_values, int max_order) {
+  constexpr double kRounding = 1e-12;
+  if (max_order < 0) throw InvalidArgument("max_order", "0 or more", std::to_string(max_order));
+  if (singular_values.size() == 0 || !(singular_values[0] > 0.0)) return 0;
+  const Eigen::VectorXd values = singular_values.cwiseMax(kRounding * singular_values[0]);
+  int order = 0;
+  double largest = 0.0;
+  for (int n = 1; n <= max_order && n < values.size(); ++n) {
+    const double ratio = values[n - 1] / values[n];
+    if (ratio > largest) order = n;
+    largest = std::max(largest, ratio);
+  }
+  return order;
+}
+
 }  // namespace strut::sysid

@@ -132,6 +132,9 @@ TEST(Identify, StandsClipsOfEveryLength) {
       const auto clips = test::clips_of(truth, {.count = count, .frames = frames, .noise = 0.1});
       expect_usable(identify(clips, each_its_own(clips.size())), clips);
       expect_usable(identify(clips, std::vector<int>(clips.size(), 7)), clips);
+      expect_usable(identify(clips, each_its_own(clips.size()),
+                             {.input_matrices = InputMatrices::kStates, .refine_iterations = 2}),
+                    clips);
     }
   }
 }
@@ -161,6 +164,39 @@ TEST(Identify, ClipsAnUnstableSystem) {
   }
 }
 
+TEST_P(IdentifyWeighting, RecoversAKnownSystemFromStatesAndByTheGap) {
+  const LtiSystem truth = test::known_system();
+  const auto clips = test::clips_of(truth, {.initial_state = 2.0});
+  const Identified found =
+      identify(clips, each_its_own(clips.size()),
+               {.weighting = GetParam(), .input_matrices = InputMatrices::kStates, .order_rule = OrderRule::kGap});
+  EXPECT_EQ(found.system.num_states(), 4);
+  EXPECT_LT(test::markov_difference(found.system, truth), kRecovered);
+}
+
+TEST(Identify, TakesAFixedOrderForAnOrder) {
+  const auto clips = test::clips_of(test::known_system(), {.noise = 0.5});
+  const Identified found =
+      identify(clips, each_its_own(clips.size()), {.max_order = 2, .order_rule = OrderRule::kFixed});
+  EXPECT_EQ(found.system.num_states(), 2);
+  EXPECT_EQ(found.fit, found.left_out_fit[2]);
+}
+
+TEST(Identify, KeepsARefinementThatHelpsClipsLeftOut) {
+  const LtiSystem truth = test::known_system();
+  const auto clips = test::clips_of(truth, {.count = 12, .noise = 0.5});
+  const Identified plain = identify(clips, each_its_own(clips.size()), {.order_rule = OrderRule::kFixed});
+  const Identified found =
+      identify(clips, each_its_own(clips.size()), {.order_rule = OrderRule::kFixed, .refine_iterations = 10});
+  EXPECT_EQ(found.left_out_fit, plain.left_out_fit);
+  ASSERT_EQ(found.refined_fit.size(), plain.left_out_fit.size());
+  EXPECT_TRUE(plain.refined_fit.empty());
+  EXPECT_EQ(found.is_refined, found.refined_fit[6] > found.left_out_fit[6]);
+  EXPECT_EQ(found.fit, std::max(found.refined_fit[6], found.left_out_fit[6]));
+  EXPECT_GT(found.refined_fit[2], found.left_out_fit[2]) << "too few states: A and C of the subspace are not the best";
+  expect_usable(found, clips);
+}
+
 TEST(Identify, RefusesWhatCannotBeMeant) {
   const auto clips = test::clips_of(test::known_system(), {.count = 4});
   const auto groups = each_its_own(4);
@@ -171,6 +207,7 @@ TEST(Identify, RefusesWhatCannotBeMeant) {
   EXPECT_THROW(identify(clips, groups, {.max_radius = 1.0}), InvalidArgument);
   EXPECT_THROW(identify(clips, groups, {.order_tolerance = -0.5}), InvalidArgument);
   EXPECT_THROW(identify(clips, groups, {.num_folds = 1}), InvalidArgument);
+  EXPECT_THROW(identify(clips, groups, {.refine_iterations = -1}), InvalidArgument);
   auto broken = clips;
   broken[2].output(5, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(identify(broken, groups), InvalidArgument);

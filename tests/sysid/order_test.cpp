@@ -30,5 +30,16 @@ TEST(AssignFolds, RefusesWhatCannotBeMeant) {
   EXPECT_THROW(assign_folds({1}, {1}, 0), InvalidArgument);
 }
 
+TEST(LargestGap, IsWhereTheValuesFallMost) {
+  const Eigen::VectorXd values = (Eigen::VectorXd(6) << 9.0, 8.0, 7.0, 0.1, 0.09, 0.01).finished();
+  EXPECT_EQ(largest_gap(values, 5), 3);
+  EXPECT_EQ(largest_gap(values, 2), 2) << "8 to 7 is more than 9 to 8";
+  EXPECT_EQ(largest_gap(values, 0), 0);
+  EXPECT_EQ(largest_gap({}, 4), 0);
+  EXPECT_EQ(largest_gap(Eigen::VectorXd::Zero(4), 4), 0);
+  EXPECT_EQ(largest_gap((Eigen::VectorXd(4) << 1.0, 0.5, 1e-15, 1e-30).finished(), 3), 2) << "rounding has no gaps";
+  EXPECT_THROW(largest_gap(values, -1), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace strut::sysid

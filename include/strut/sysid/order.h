@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace strut::sysid {
 
 /// The fold (0 .. folds-1) of each clip: clips of one group share a fold, folds get nearly equal weights (largest
@@ -15,5 +17,10 @@ std::vector<int> assign_folds(const std::vector<int>& groups, const std::vector<
 /// The smallest order whose fit is within `tolerance` of the best; `fits` holds a fit [%] per order from 0.
 /// Throws InvalidArgument if `fits` is empty.
 int smallest_good_order(const std::vector<double>& fits, double tolerance);
+
+/// The order, from 1 to `max_order`, after which the singular values fall most: the largest ratio of one to the next.
+/// Values below 1e-12 of the first count as that, so that rounding has no gaps. `singular_values` fall; 0 if there are
+/// none or they are zero. Throws InvalidArgument if `max_order` is negative.
+int largest_gap(const Eigen::VectorXd& singular_values, int max_order);
 
 }  // namespace strut::sysid
