@@ -10,6 +10,7 @@
 #   nlohmann-json 3.11.2   MIT         --json, provenance                              program
 #   GoogleTest    1.12.1   BSD-3       tests                                           developers
 #   RapidCheck    2023-03  BSD-2       property tests                                  developers
+#   SLICOT        5.0      GPL-2.0+    tests: an oracle; never linked into the rest    developers, optional
 #   Benchmark     1.7.1    Apache-2.0  benchmarks                                      developers
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(flatbuffers REQUIRED NO_MODULE NAMES flatbuffers FlatBuffers Flatbuffers)
@@ -27,6 +28,7 @@ if(NOT STRUT_RUNTIME_ONLY)
     find_package(GTest REQUIRED)
     find_package(rapidcheck REQUIRED)
     find_package(nlohmann_json REQUIRED)
+    find_library(STRUT_SLICOT slicot)
   endif()
   if(STRUT_BUILD_BENCH)
     find_package(benchmark REQUIRED)
