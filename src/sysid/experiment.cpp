@@ -9,6 +9,8 @@
 namespace strut::sysid {
 namespace {
 
+constexpr double kVaries = 1e-12;  // of its mean square: less is the rounding of a constant
+
 std::string shape(const FrameMatrix& matrix) {
   return std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols());
 }
@@ -53,18 +55,31 @@ void FitSum::add(const Experiment& experiment, const FrameMatrix& simulated) {
   sum_errors_ += error.colwise().squaredNorm().transpose().array();
 }
 
+double FitSum::variation(Eigen::Index output) const {
+  return sum_squares_[output] - sum_[output] * sum_[output] / frames_;
+}
+
+bool FitSum::varies(Eigen::Index output) const {
+  return variation(output) > kVaries * sum_squares_[output];
+}
+
+Eigen::VectorXd FitSum::fit_per_output() const {
+  return Eigen::VectorXd::NullaryExpr(sum_.size(), [this](Eigen::Index k) {
+    if (varies(k)) return 100.0 * (1.0 - std::sqrt(sum_errors_[k] / variation(k)));
+    return sum_errors_[k] <= kVaries * sum_squares_[k] ? 100.0 : 0.0;
+  });
+}
+
 double FitSum::fit() const {
-  constexpr double kVaries = 1e-12;  // of its mean square: less is the rounding of a constant
+  const Eigen::VectorXd fits = fit_per_output();
   double total = 0.0;
   int counted = 0;
-  for (Eigen::Index k = 0; k < sum_.size(); ++k) {
-    const double variation = sum_squares_[k] - sum_[k] * sum_[k] / frames_;
-    if (!(variation > kVaries * sum_squares_[k])) continue;
-    total += 100.0 * (1.0 - std::sqrt(sum_errors_[k] / variation));
+  for (Eigen::Index k = 0; k < fits.size(); ++k) {
+    if (!varies(k)) continue;
+    total += fits[k];
     ++counted;
   }
-  if (counted > 0) return total / counted;
-  return (sum_errors_ <= kVaries * sum_squares_).all() ? 100.0 : 0.0;
+  return counted > 0 ? total / counted : fits.minCoeff();
 }
 
 double simulated_fit(const LtiSystem& system, const std::vector<Experiment>& experiments) {

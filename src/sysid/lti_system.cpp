@@ -45,8 +45,12 @@ void LtiSystem::step(Eigen::Ref<Eigen::VectorXd> state, const Eigen::Ref<const E
   state = scratch;
 }
 
+Eigen::VectorXcd LtiSystem::poles() const {
+  return num_states() == 0 ? Eigen::VectorXcd(0) : Eigen::VectorXcd(a_.eigenvalues());
+}
+
 double LtiSystem::spectral_radius() const {
-  return num_states() == 0 ? 0.0 : a_.eigenvalues().cwiseAbs().maxCoeff();
+  return num_states() == 0 ? 0.0 : poles().cwiseAbs().maxCoeff();
 }
 
 FrameMatrix simulate(const LtiSystem& system, const Eigen::Ref<const FrameMatrix>& input,

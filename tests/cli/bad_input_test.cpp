@@ -35,6 +35,9 @@ class BadInput : public testing::Test {
     write_clip(here_.file("walk.bvh"), walk_);
     write_style_model(here_.file("copy.strut"), *copying_model(walk_));
     write_file(here_.file("pairs.toml"), "[[pair]]\ninput = \"walk.bvh\"\noutput = \"walk.bvh\"\n");
+    std::string table = "u,y\n";
+    for (int row = 0; row < 40; ++row) table += std::to_string(row % 3) + "," + std::to_string(row % 5) + "\n";
+    write_file(here_.file("table.csv"), table);
     before_ = here_.entries();
   }
   ProgramResult run(const Words& arguments) { return here_.run(STRUT_PROGRAM, arguments); }
@@ -64,7 +67,8 @@ class BadInput : public testing::Test {
             {"learn", "@pairs.toml", "-o", output},
             {"translate", "@copy.strut", "@walk.bvh", "-o", output},
             {"align", "@walk.bvh", "@walk.bvh", "--csv", output},
-            {"convert", "@walk.bvh", "-o", output}};
+            {"convert", "@walk.bvh", "-o", output},
+            {"sysid", "@table.csv", "--inputs", "u", "--outputs", "y", "-o", output}};
   }
 
   Workplace here_;
@@ -176,7 +180,7 @@ TEST_F(BadInput, WrongUsageIsToldInPlainWords) {
 
 TEST_F(BadInput, EveryCommandHasHelp) {
   for (const char* command :
-       {"pair", "learn", "translate", "align", "info", "convert", "measure", "demo", "completion"}) {
+       {"pair", "learn", "translate", "align", "info", "convert", "measure", "sysid", "demo", "completion"}) {
     const ProgramResult result = run({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << command;
     EXPECT_THAT(result.out, HasSubstr("strut " + std::string(command)));

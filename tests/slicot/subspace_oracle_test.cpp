@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <complex>
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <strut/sysid/identify.h>
@@ -29,7 +28,7 @@ Experiment long_clip(const LtiSystem& system, double noise) {
 
 /// Eigenvalues of A, in an order that does not depend on the coordinates.
 std::vector<std::complex<double>> poles(const LtiSystem& system) {
-  const Eigen::VectorXcd values = system.a().eigenvalues();
+  const Eigen::VectorXcd values = system.poles();
   std::vector<std::complex<double>> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end(), [](const auto& one, const auto& other) {
     return std::abs(one.real() - other.real()) > kSame ? one.real() < other.real() : one.imag() < other.imag();

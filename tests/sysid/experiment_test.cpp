@@ -39,6 +39,15 @@ TEST(FitSum, LeavesOutOutputsThatDoNotVary) {
   EXPECT_DOUBLE_EQ(sum.fit(), 100.0);
 }
 
+TEST(FitSum, TellsOutputsApart) {
+  Experiment clip{FrameMatrix::Zero(3, 1), FrameMatrix(3, 3)};
+  clip.output << 1.0, 5.0, 0.0, 2.0, 5.0, 0.0, 3.0, 5.0, 0.0;
+  FitSum sum(3);
+  sum.add(clip, FrameMatrix(clip.output.array() * Eigen::RowVector3d(1.0, 0.5, 1.0).replicate(3, 1).array()));
+  EXPECT_EQ(sum.fit_per_output(), Eigen::Vector3d(100.0, 0.0, 100.0));
+  EXPECT_EQ(sum.fit(), 100.0);
+}
+
 TEST(CheckExperiments, NamesWhatIsWrong) {
   Experiment clip = ramp(1);
   clip.output(2, 0) = std::nan("");

@@ -37,8 +37,13 @@ class FitSum {
   void add(const Experiment& experiment, const FrameMatrix& simulated);
   /// The mean over outputs [%]; an output that does not vary counts only if none does: then 100 without error, else 0.
   [[nodiscard]] double fit() const;
+  /// The fit of each output [%]; of one that does not vary 100 without error, else 0.
+  [[nodiscard]] Eigen::VectorXd fit_per_output() const;
 
  private:
+  [[nodiscard]] bool varies(Eigen::Index output) const;
+  [[nodiscard]] double variation(Eigen::Index output) const;
+
   double frames_ = 0.0;
   Eigen::ArrayXd sum_, sum_squares_, sum_errors_;  // per output
 };

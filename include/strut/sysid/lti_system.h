@@ -32,6 +32,8 @@ class LtiSystem {
   void step(Eigen::Ref<Eigen::VectorXd> state, const Eigen::Ref<const Eigen::VectorXd>& input,
             Eigen::Ref<Eigen::VectorXd> output, Eigen::Ref<Eigen::VectorXd> scratch) const;
 
+  /// The eigenvalues of A (states), in no particular order.
+  [[nodiscard]] Eigen::VectorXcd poles() const;
   /// The largest modulus of an eigenvalue of A; 0 without states. Below 1 the system is stable.
   [[nodiscard]] double spectral_radius() const;
 
