@@ -3,7 +3,7 @@
 // out, then identify the chosen order from all clips.
 #include "sysid/balance.h"
 #include "sysid/block_rows.h"
-#include "sysid/folded_clips.h"
+#include "sysid/folds.h"
 
 #include <algorithm>
 #include <optional>

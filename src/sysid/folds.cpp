@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sysid/folded_clips.h"
+#include "sysid/folds.h"
 
 #include <algorithm>
 #include <cmath>
