@@ -1,92 +1,105 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The quality table: learn a style from some takes, translate others, and say how near the result comes to real takes.
+"""How good translations are: learn styles from some takes, translate others, and say how near the results come to real
+takes; writes the page docs/quality.md.
 
-    ./dev quality FOLDER                         all 21 cells
+    ./dev quality FOLDER                         everything, into the page
     ./dev quality FOLDER --split validation      the takes that settings are chosen on, a short table
+    ./dev quality FOLDER --cell walk/elderly     some cells, printed
+    ./dev quality FOLDER --split validation --page FILE     everything about those takes, into another page
 
 FOLDER holds dataset-2_CONTENT_STYLE_TAKE.bvh files (Bandai-Namco-Research-Motiondataset-2). In every cell, takes 001-012
 of the style `normal` and of the wanted style are paired and learnt from, takes 013-017 of `normal` are translated, and
-takes 013-017 of the wanted style are what the result is held against. The validation split learns from 001-008 and
-judges on 009-012: settings may be chosen on it, never on 013-017. Needs nothing but Python's standard library.
+takes 013-017 of the wanted style are what the result is held against, with 001, 005 and 009 as retakes. The validation
+split learns from 001-008 and judges on 009-012 (retakes: 001, 004, 007): settings may be chosen on it, never on 013-017.
+The page tells what every figure means.
 
-Columns
-  identity    mean distance of the untranslated clips to the real takes, cm (strut measure)
-  retake      mean distance of other real takes of the style (001, 005, 009; validation: 001, 004, 007) to them, cm
-  translated  mean distance of the translated clips to them, cm
-  gap         (identity - translated) / (identity - retake): 0 = nothing done, 1 = as near as another recording
-  cadence     steps per second of the translated clips over that of the real takes and retakes; - where nobody travels
-  speed       the same for the speed of the hips over the ground
-  foot        how fast the toes still slide when they are slowest, cm/s; foot_real the same for real takes and retakes
-  jerk        mean jerk of the translated clips over that of real takes and retakes
-  learn       seconds `strut learn` takes; translate: mean seconds of a `strut translate`, each as a whole process.
-              With more than one job the cells share the processor: take times from a run with --jobs 1.
-
-With --judge, a program that measures the same figures independently is run on the same files and its table follows; it
-is called as `JUDGE --json --input F... --real F... --retake F... --translated F...` and prints one JSON object.
+With --judge, a program that measures the same figures independently is run on the same files; it is called as
+`JUDGE --json --input F... --real F... --retake F... --translated F...` and prints one JSON object.
+Needs nothing but Python's standard library.
 """
 import argparse
 import json
 import os
 import pathlib
 import shlex
-import statistics
 import sys
 import tempfile
+import time
 
-from cells import ALL_CELLS, FIGURES, SPLITS, TIMES, do_cells
+import cells
+import other_inputs
+import page
+import recognition
+import tables
+from bench import SPLITS, Bench, Refused
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-COMPACT = ["gap", "cadence", "speed", "foot", "jerk", "learn"]
+DEFAULT_SPLIT = "test"
 
 
-def shown(value):
-    return "-" if value is None else f"{value:.2f}"
+def methods_beside_the_default(bench):
+    """Options of strut learn by method; those that this strut has."""
+    found = {"paper": ("--method", "paper") if "--method" in bench.learn_help else
+             ("--weighting", "n4sid", "--memory", "100", "--ridge", "0")}
+    if "--context" in bench.learn_help:
+        found["no context"] = ("--context", "0")
+    return found
 
 
-def table(results, judge, columns):
-    """Markdown lines of one judge's rows."""
-    lines = ["| cell | " + " | ".join(columns) + " |", "| --- |" + " ---: |" * len(columns)]
-    for (content, style), rows in results.items():
-        if "refused" in rows:
-            lines.append(f"| {content} {style} | {rows['refused']} |" + " |" * (len(columns) - 1))
-            continue
-        values = (rows[judge].get(column) for column in columns)
-        lines.append(f"| {content} {style} | " + " | ".join(map(shown, values)) + " |")
-    return lines
+class Progress:
+    """A line on standard error per step, with the seconds it took."""
+
+    def __init__(self):
+        self.begin = time.monotonic()
+
+    def __call__(self, step, work, *arguments, **named):
+        begin = time.monotonic()
+        result = work(*arguments, **named)
+        print(f"quality: {step}: {time.monotonic() - begin:.1f} s", file=sys.stderr)
+        return result
+
+    def seconds(self):
+        return time.monotonic() - self.begin
 
 
-def summary(results, judge):
-    gaps = [rows[judge]["gap"] for rows in results.values() if judge in rows]
-    if not gaps:
-        return f"No cell of {len(results)} was translated."
-    return (f"{len(gaps)} of {len(results)} cells translated; gap: median {statistics.median(gaps):.2f}, "
-            f"lowest {min(gaps):.2f}, at least 1.0 in {sum(gap >= 1.0 for gap in gaps)}.")
+def do_cells(bench, some_cells, judge, jobs):
+    """The default method's rows by cell, and all that other studies need of it."""
+    references = bench.each(lambda cell: cells.reference(bench, cell), some_cells)
+    learnt = bench.each(lambda cell: cells.learn_cell(bench, cell), some_cells, jobs)
+    rows = cells.rows(bench, references, learnt)
+    by_judge = cells.judge_rows(bench, judge, references, learnt) if judge else None
+    return {"references": references, "learnt": learnt, "rows": rows, "judge": by_judge}
 
 
-def column_summaries(results, columns):
-    """A line each for mean, median, lowest and highest of every column."""
-    lines = []
-    for name, reduce in (("mean", statistics.fmean), ("median", statistics.median), ("lowest", min), ("highest", max)):
-        values = [[rows["measure"][column] for rows in results.values() if "measure" in rows] for column in columns]
-        known = [[value for value in column if value is not None] for column in values]
-        lines.append(f"| **{name}** | " + " | ".join(shown(reduce(column) if column else None) for column in known) + " |")
-    return lines
+def do_methods(bench, some_cells, default, progress):
+    """Rows by method and cell; and the cells in which learning from one pair warned. One cell at a time, for times."""
+    rows = {"recording again": cells.recorded_again(bench, default["references"]), "default": default["rows"]}
+
+    def keep(name, learnt):
+        rows[name] = cells.rows(bench, default["references"], learnt)
+        return learnt
+    for name, options in methods_beside_the_default(bench).items():
+        keep(name, progress(name, bench.each, lambda cell: cells.learn_cell(bench, cell, name, options), some_cells, 1))
+    one_pair = keep("one pair", progress("one pair", bench.each,
+                                         lambda cell: cells.learn_from_one_pair(bench, cell), some_cells, 1))
+    keep("together", progress("all contents together", cells.learn_together, bench, some_cells))
+    return {"rows": rows, "warned": [cell for cell, found in one_pair.items()
+                                     if not isinstance(found, Refused) and found.warned]}
 
 
-def print_tables(results, with_judge):
-    print("By `strut measure`:\n")
-    print("\n".join(table(results, "measure", FIGURES + TIMES)))
-    print("\n" + summary(results, "measure"))
-    if with_judge:
-        print("\nBy the independent judge:\n")
-        print("\n".join(table(results, "judge", FIGURES)))
-        print("\n" + summary(results, "judge"))
-
-
-def print_compact(results):
-    print("\n".join(table(results, "measure", COMPACT) + column_summaries(results, COMPACT)))
-    print("\n" + summary(results, "measure"))
+def do_everything(bench, args, progress):
+    default = progress("cells", do_cells, bench, args.cells, args.judge, 1)  # times are taken one cell at a time
+    learnt, references = default["learnt"], default["references"]
+    return {"cells": default["rows"], "judge": default["judge"],
+            "methods": do_methods(bench, args.cells, default, progress),
+            "recognition": progress("recognition", recognition.recognize_all, bench, args.cells, learnt),
+            "details": progress("details", other_inputs.details, bench, learnt, args.joints),
+            "unfamiliar": progress("unfamiliar inputs", other_inputs.unfamiliar, bench, learnt, references,
+                                   args.joints[0]),
+            "tempi": progress("tempi", other_inputs.tempi, bench, learnt, references),
+            "identities": progress("no style", other_inputs.identities, bench,
+                                   list(dict.fromkeys(content for content, _ in args.cells)))}
 
 
 def cell_name(text):
@@ -100,47 +113,80 @@ def default_data():
     return pathlib.Path(os.environ.get("STRUT_DATA", ROOT.parent / "shared/data")) / "bandai-namco"
 
 
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def add_arguments(parser):
     parser.add_argument("data", type=pathlib.Path, nargs="?", default=default_data(), metavar="FOLDER",
                         help="folder of the clips (default: bandai-namco in $STRUT_DATA)")
-    parser.add_argument("--split", choices=SPLITS, default="test", help="which takes are used (default: test)")
-    parser.add_argument("--strut", type=pathlib.Path, default=ROOT / "build/release/strut",
-                        help="the program (default: build/release/strut)")
-    parser.add_argument("--judge", type=pathlib.Path, help="independent program to measure with as well")
+    parser.add_argument("--split", choices=SPLITS, default=DEFAULT_SPLIT,
+                        help="which takes are used (default: test)")
     parser.add_argument("--cell", type=cell_name, action="append", dest="cells", metavar="CONTENT/STYLE",
                         help="a cell to do, repeatable (default: all 21)")
-    parser.add_argument("--pattern", default="dataset-2_{content}_{style}_{take:03d}.bvh",
-                        help="names of the clips (default: %(default)s)")
+    parser.add_argument("--page", type=pathlib.Path, metavar="FILE",
+                        help="do everything and write the page there (default: docs/quality.md, unless the cells, the "
+                        "split or a command's options are given)")
+    parser.add_argument("--judge", type=pathlib.Path, help="independent program to measure with as well")
+    parser.add_argument("--joint", action="append", dest="joints", metavar="NAME",
+                        help="a joint to which details are added, repeatable; the first is also the arm that is raised "
+                        f"(default: {', '.join(other_inputs.DETAIL_JOINTS)})")
+    parser.add_argument("--pattern", default=Bench.pattern, help="names of the clips (default: %(default)s)")
+    parser.add_argument("--strut", type=pathlib.Path, default=ROOT / "build/release/strut",
+                        help="the program (default: build/release/strut)")
+    parser.add_argument("--vary-clip", type=pathlib.Path, default=ROOT / "build/release/bench/quality/vary_clip",
+                        help="the program that varies clips (default: build/release/bench/quality/vary_clip)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="cells at a time (default: all cores)")
-    parser.add_argument("--keep", type=pathlib.Path, help="new folder for pairs, models and translated clips "
+    parser.add_argument("--keep", type=pathlib.Path, help="new folder for pairs, models and clips "
                         "(default: a temporary one, removed at the end)")
-    parser.add_argument("--json", action="store_true", help="print JSON instead of tables")
+    parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
     for step in ("pair", "learn", "translate"):
         parser.add_argument(f"--{step}-options", type=shlex.split, default=[], metavar="OPTIONS",
                             help=f"further options for strut {step}, in one argument: --{step}-options='--x 1'")
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_arguments(parser)
     args = parser.parse_args()
     for path, what in ((args.data, "folder of clips"), (args.strut, "strut program"), (args.judge, "judge")):
         if path is not None and not path.exists():
             parser.error(f"{path}: there is no such {what}")
     if args.keep is not None and args.keep.exists():
         parser.error(f"{args.keep}: is there already")
-    args.strut = args.strut.resolve()
+    args.options = {step: getattr(args, f"{step}_options") for step in ("pair", "learn", "translate")}
+    if not (args.page or args.json or args.cells or args.split != DEFAULT_SPLIT or any(args.options.values())):
+        args.page = ROOT / "docs/quality.md"
+    args.cells = list(dict.fromkeys(args.cells or cells.ALL_CELLS))
+    args.joints = args.joints or other_inputs.DETAIL_JOINTS
     return args
+
+
+def print_cells(args, found):
+    results = found["rows"]
+    if args.json:
+        print(json.dumps({"/".join(cell): {"refused": str(row)} if isinstance(row, Refused) else row
+                          for cell, row in results.items()}, indent=2))
+        return
+    columns = cells.FIGURES + tables.TIMES
+    table = tables.cells_table(results, columns) if args.split == DEFAULT_SPLIT else tables.compact_table(results)
+    print("\n".join([*table, "", tables.gap_summary(results)]))
+    if found["judge"]:
+        print("\n".join(["", "Beside the independent judge:", "", *tables.judge_table(results, found["judge"])]))
 
 
 def main():
     args = parse_arguments()
-    cells = list(dict.fromkeys(args.cells or ALL_CELLS))
     with tempfile.TemporaryDirectory(prefix="strut_quality_") as temporary:
-        results = do_cells(args, SPLITS[args.split], args.keep or pathlib.Path(temporary), cells)
-    if args.json:
-        print(json.dumps({f"{content}/{style}": rows for (content, style), rows in results.items()}, indent=2))
-    elif args.split == "validation":
-        print_compact(results)
-    else:
-        print_tables(results, args.judge is not None)
-    return 1 if any("refused" in rows for rows in results.values()) else 0
+        bench = Bench(args.strut.resolve(), args.vary_clip.resolve(), args.data, args.keep or pathlib.Path(temporary),
+                      SPLITS[args.split], args.pattern, args.jobs, args.options)
+        if args.page:
+            progress = Progress()
+            found = do_everything(bench, args, progress)
+            page.write(args.page, found, bench, args.joints, methods_beside_the_default(bench), progress.seconds())
+            print(tables.gap_summary(found["cells"]) + f"\nwritten {args.page}")
+            results = found["cells"]
+        else:
+            found = do_cells(bench, args.cells, args.judge, args.jobs)
+            print_cells(args, found)
+            results = found["rows"]
+    return 1 if any(isinstance(row, Refused) for row in results.values()) else 0
 
 
 if __name__ == "__main__":
