@@ -141,18 +141,25 @@ def add_arguments(parser):
                             help=f"further options for strut {step}, in one argument: --{step}-options='--x 1'")
 
 
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    add_arguments(parser)
-    args = parser.parse_args()
-    for path, what in ((args.data, "folder of clips"), (args.strut, "strut program"), (args.judge, "judge")):
+def check_paths(parser, args):
+    needed = [(args.data, "folder of clips"), (args.strut, "strut program"), (args.judge, "judge")]
+    if args.page:
+        needed.append((args.vary_clip, "program that varies clips"))
+    for path, what in needed:
         if path is not None and not path.exists():
             parser.error(f"{path}: there is no such {what}")
     if args.keep is not None and args.keep.exists():
         parser.error(f"{args.keep}: is there already")
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_arguments(parser)
+    args = parser.parse_args()
     args.options = {step: getattr(args, f"{step}_options") for step in ("pair", "learn", "translate")}
     if not (args.page or args.json or args.cells or args.split != DEFAULT_SPLIT or any(args.options.values())):
         args.page = ROOT / "docs/quality.md"
+    check_paths(parser, args)
     args.cells = list(dict.fromkeys(args.cells or cells.ALL_CELLS))
     args.joints = args.joints or other_inputs.DETAIL_JOINTS
     return args
