@@ -53,4 +53,25 @@ int largest_gap(const Eigen::VectorXd& singular_values, int max_order) {
   return order;
 }
 
+LeaveOut leave_out_pairs(const std::vector<int>& input_groups, const std::vector<int>& output_groups,
+                         const std::vector<int>& weights, int num_folds) {
+  const std::vector<int> inputs = assign_folds(input_groups, weights, num_folds);
+  const std::vector<int> outputs = assign_folds(output_groups, weights, num_folds);
+  const int rounds =
+      std::min(*std::max_element(inputs.begin(), inputs.end()), *std::max_element(outputs.begin(), outputs.end())) + 1;
+  LeaveOut result;
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<Role>& roles = result.rounds.emplace_back();
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const int matches = (inputs[k] == round ? 1 : 0) + (outputs[k] == round ? 1 : 0);
+      roles.push_back(matches == 2 ? Role::kTest : matches == 0 ? Role::kLearn : Role::kUnused);
+    }
+  }
+  return result;
+}
+
+LeaveOut leave_out_groups(const std::vector<int>& groups, const std::vector<int>& weights, int num_folds) {
+  return leave_out_pairs(groups, groups, weights, num_folds);
+}
+
 }  // namespace strut::sysid

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Choosing the number of states by leaving clips out: folds of groups, and the rule that picks the order.
+// Choosing by leaving clips out: folds of groups, who learns and who tests in a round, and the rules that pick an
+// order.
 #pragma once
 
 #include <vector>
@@ -22,5 +23,24 @@ int smallest_good_order(const std::vector<double>& fits, double tolerance);
 /// Values below 1e-12 of the first count as that, so that rounding has no gaps. `singular_values` fall; 0 if there are
 /// none or they are zero. Throws InvalidArgument if `max_order` is negative.
 int largest_gap(const Eigen::VectorXd& singular_values, int max_order);
+
+/// What a clip does while some clips are left out.
+enum class Role { kLearn, kTest, kUnused };
+
+/// Rounds of leaving clips out: in every round the test clips are predicted from the clips to learn from, to which they
+/// are not related.
+struct LeaveOut {
+  std::vector<std::vector<Role>> rounds;  ///< (rounds x clips)
+};
+
+/// Clips of one group are left out together, a fold of groups a round (see assign_folds, whose exceptions it throws). A
+/// single group makes one round without clips to learn from.
+LeaveOut leave_out_groups(const std::vector<int>& groups, const std::vector<int>& weights, int num_folds);
+
+/// Clips made of an input and an output that belong to groups of their own, such as the recordings both were cut from:
+/// a round tests the clips that have both in a fold and learns from those that have neither; the others are unused.
+/// Otherwise an output that is paired with several inputs would be known while it is judged.
+LeaveOut leave_out_pairs(const std::vector<int>& input_groups, const std::vector<int>& output_groups,
+                         const std::vector<int>& weights, int num_folds);
 
 }  // namespace strut::sysid

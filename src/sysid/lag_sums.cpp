@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The product sum of lags (a + 1, b + 1) is that of (a, b) moved by one frame: it gains the row before the first and
+// loses the last. So only lag 0 against all lags is summed over frames, and the rest follows from it.
+#include "sysid/lag_sums.h"
+
+namespace strut::sysid::detail {
+namespace {
+
+/// Inputs at every lag: row r, for r = 0 .. frames, holds u at frame begin - 1 + r and the taps - 1 frames before it,
+/// input by input.
+Eigen::MatrixXd lagged_rows(const FrameMatrix& u, Eigen::Index begin, int taps) {
+  const Eigen::Index rows = u.rows() - begin + 1;
+  Eigen::MatrixXd lagged = Eigen::MatrixXd::Zero(rows, u.cols() * taps);
+  for (Eigen::Index i = 0; i < u.cols(); ++i) {
+    for (Eigen::Index a = 0; a < taps; ++a) {
+      const Eigen::Index first = begin - 1 - a;  // frame that row 0 holds
+      const Eigen::Index skip = std::max<Eigen::Index>(0, -first);
+      if (skip >= rows) continue;
+      lagged.col(i * taps + a).tail(rows - skip) = u.col(i).segment(first + skip, rows - skip);
+    }
+  }
+  return lagged;
+}
+
+}  // namespace
+
+LagSums::LagSums(int num_inputs, int num_outputs, int taps)
+    : uu(Eigen::MatrixXd::Zero(num_inputs * taps, num_inputs * taps)),
+      uy(Eigen::MatrixXd::Zero(num_inputs * taps, num_outputs)),
+      yy(Eigen::VectorXd::Zero(num_outputs)),
+      y(yy) {}
+
+void LagSums::add(const Experiment& experiment, int taps) {
+  const Eigen::Index m = experiment.input.cols();
+  const Eigen::Index n = taps;
+  const Eigen::MatrixXd lagged = lagged_rows(experiment.input, experiment.lead_in, taps);
+  const Eigen::Index rows = lagged.rows() - 1;
+  const auto fitted = experiment.output.bottomRows(rows);
+  uy.noalias() += lagged.bottomRows(rows).transpose() * fitted;
+  yy += fitted.colwise().squaredNorm().transpose();
+  y += fitted.colwise().sum().transpose();
+  frames += static_cast<double>(rows);
+
+  Eigen::MatrixXd lag_zero(rows, m);
+  for (Eigen::Index i = 0; i < m; ++i) lag_zero.col(i) = lagged.col(i * n).tail(rows);
+  const Eigen::MatrixXd first = lag_zero.transpose() * lagged.bottomRows(rows);  // m x (m n)
+  const Eigen::RowVectorXd before = lagged.row(0), last = lagged.row(rows);
+  Eigen::MatrixXd block(n, n);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      block.row(0) = first.block(i, j * n, 1, n);
+      block.col(0) = first.block(j, i * n, 1, n).transpose();
+      for (Eigen::Index b = 1; b < n; ++b) {
+        const double gain = before[j * n + b - 1], loss = last[j * n + b - 1];
+        block.col(b).tail(n - 1) = block.col(b - 1).head(n - 1) + gain * before.segment(i * n, n - 1).transpose() -
+                                   loss * last.segment(i * n, n - 1).transpose();
+      }
+      uu.block(i * n, j * n, n, n) += block;
+    }
+  }
+}
+
+LagSums& LagSums::operator+=(const LagSums& other) {
+  uu += other.uu;
+  uy += other.uy;
+  yy += other.yy;
+  y += other.y;
+  frames += other.frames;
+  return *this;
+}
+
+LagSums& LagSums::operator-=(const LagSums& other) {
+  uu -= other.uu;
+  uy -= other.uy;
+  yy -= other.yy;
+  y -= other.y;
+  frames -= other.frames;
+  return *this;
+}
+
+}  // namespace strut::sysid::detail
