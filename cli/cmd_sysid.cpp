@@ -32,11 +32,11 @@ constexpr double kMostTest = 0.9;
 struct SysidArguments {
   std::string table, output, clip_column;
   std::vector<std::string> inputs, outputs;
-  sysid::IdentifyOptions options{.max_order = 8, .max_radius = 0.999};
+  sysid::IdentifyOptions options{.max_order = 8, .max_radius = 0.999, .starts = sysid::Starts::kEvery};
   std::string order = "auto";
   double test_share = 0.0;
   int lags = 25;
-  bool keep_means = false, refine = false, json = false, force = false;
+  bool keep_means = false, refine = false, combine = false, json = false, force = false;
 };
 
 /// A check for CLI11: auto, gap or a number of states.
@@ -137,6 +137,16 @@ sysid::IdentifyOptions identify_options(const SysidArguments& arguments) {
   return options;
 }
 
+/// One estimate, or the best mean of several.
+sysid::Combined identify(const Clips& clips, const sysid::IdentifyOptions& options, bool combine,
+                         Diagnostics& diagnostics) {
+  if (combine) {
+    return sysid::identify_combined(clips.train, clips.groups, {.identification = options}, &diagnostics);
+  }
+  const sysid::Identified found = sysid::identify(clips.train, clips.groups, options, &diagnostics);
+  return {found.system, found.fit, {sysid::Estimate::kSubspace}, {found.fit}, found, 0.0};
+}
+
 SysidFindings find(const SysidArguments& arguments, Diagnostics& diagnostics) {
   std::vector<std::string> names = arguments.inputs;
   names.insert(names.end(), arguments.outputs.begin(), arguments.outputs.end());
@@ -147,7 +157,7 @@ SysidFindings find(const SysidArguments& arguments, Diagnostics& diagnostics) {
   subtract_means(clips.train, input_mean, output_mean);
   subtract_means(clips.test, input_mean, output_mean);
   const sysid::IdentifyOptions options = identify_options(arguments);
-  sysid::Identified found = sysid::identify(clips.train, clips.groups, options, &diagnostics);
+  sysid::Combined found = identify(clips, options, arguments.combine, diagnostics);
   sysid::NoiseModel noise = sysid::fit_noise_model(found.system, clips.train, options.block_rows, &diagnostics);
   std::vector<Eigen::VectorXd> states;
   for (const Experiment& clip : clips.train) states.push_back(sysid::estimate_initial_state(found.system, clip));
@@ -235,6 +245,9 @@ void add_method_options(CLI::App& command, SysidArguments& arguments) {
   command.add_flag("--refine", arguments.refine,
                    "Try Levenberg-Marquardt steps on all of A, B, C and D, kept where clips left out are better with "
                    "them (default: no)");
+  command.add_flag("--combine", arguments.combine,
+                   "Of many clips: make other estimates too (on filtered clips, regularized, static) and take the mean "
+                   "of those that predicts clips left out best (default: no)");
   command
       .add_option("--radius", options.max_radius,
                   "Largest modulus of a pole: how slowly the system may forget (default: 0.999)")

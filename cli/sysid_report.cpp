@@ -51,6 +51,36 @@ void print_orders(const sysid::Identified& found) {
   }
 }
 
+const char* name_of(sysid::Estimate estimate) {
+  switch (estimate) {
+    case sysid::Estimate::kSubspace:
+      return "subspace";
+    case sysid::Estimate::kFilteredSubspace:
+      return "subspace, filtered";
+    case sysid::Estimate::kRegularized:
+      return "regularized";
+    case sysid::Estimate::kFilteredRegularized:
+      return "regularized, filtered";
+    case sysid::Estimate::kStatic:
+      return "static map";
+  }
+  return "";
+}
+
+bool is_taken(const sysid::Combined& found, sysid::Estimate estimate) {
+  return std::find(found.estimates.begin(), found.estimates.end(), estimate) != found.estimates.end();
+}
+
+void print_estimates(const sysid::Combined& found) {
+  fmt::print("\n{:<22} left-out fit\n", "estimate");
+  for (std::size_t k = 0; k < found.fit_alone.size(); ++k) {
+    const auto estimate = static_cast<sysid::Estimate>(k);
+    fmt::print("{:<22} {:>10.1f} %{}\n", name_of(estimate), found.fit_alone[k],
+               is_taken(found, estimate) ? "  <- taken" : "");
+  }
+  fmt::print("{:<22} {:>10.1f} %  {} states\n", "mean of those taken", found.fit, found.system.num_states());
+}
+
 void print_poles(const sysid::LtiSystem& system) {
   fmt::print("\npoles{}\n", system.num_states() == 0 ? ": none, a static map" : "");
   for (const std::complex<double>& pole : upper_poles(system)) {
@@ -136,6 +166,16 @@ Json json_residuals(const sysid::ResidualTests& tests) {
           {"input_correlation_bound", json_matrix(tests.cross_bound)}};
 }
 
+Json json_estimates(const sysid::Combined& found) {
+  Json out = Json::array();
+  for (std::size_t k = 0; k < found.fit_alone.size(); ++k) {
+    const auto estimate = static_cast<sysid::Estimate>(k);
+    out.push_back(
+        {{"name", name_of(estimate)}, {"left_out_fit", found.fit_alone[k]}, {"taken", is_taken(found, estimate)}});
+  }
+  return out;
+}
+
 Json json_poles(const sysid::LtiSystem& system) {
   Json out = Json::array();
   for (const std::complex<double>& pole : upper_poles(system)) {
@@ -168,14 +208,15 @@ void print_report(const SysidFindings& findings) {
   fmt::print("trained on {}", counted(findings.train));
   if (!findings.test.empty()) fmt::print(", tested on {}", counted(findings.test));
   fmt::print("\n");
-  print_orders(findings.identified);
-  print_poles(findings.identified.system);
+  print_orders(findings.found.subspace);
+  if (findings.found.fit_alone.size() > 1) print_estimates(findings.found);
+  print_poles(findings.found.system);
   print_fits(findings);
   print_residuals(findings);
 }
 
 Json report_as_json(const SysidFindings& findings) {
-  const sysid::LtiSystem& system = findings.identified.system;
+  const sysid::LtiSystem& system = findings.found.system;
   Json json{{"kind", "strut linear system"}, {"version", 1}};
   json["equations"] =
       "x[t+1] = A x[t] + B (u[t] - input_mean) + K e[t], y[t] - output_mean = C x[t] + D (u[t] - "
@@ -198,10 +239,11 @@ Json report_as_json(const SysidFindings& findings) {
   json["initial_states"] = Json::array();
   for (const Eigen::VectorXd& state : findings.initial_states) json["initial_states"].push_back(json_vector(state));
   json["poles"] = json_poles(system);
-  json["refined"] = findings.identified.is_refined;
-  json["left_out_fit"] = findings.identified.left_out_fit;
-  json["refined_left_out_fit"] = findings.identified.refined_fit;
-  json["singular_values"] = json_vector(findings.identified.singular_values);
+  json["refined"] = findings.found.subspace.is_refined;
+  json["left_out_fit"] = findings.found.subspace.left_out_fit;
+  json["refined_left_out_fit"] = findings.found.subspace.refined_fit;
+  json["estimates"] = json_estimates(findings.found);
+  json["singular_values"] = json_vector(findings.found.subspace.singular_values);
   json["fit"]["training"] = json_fits(findings.train_fits);
   if (!findings.test.empty()) json["fit"]["test"] = json_fits(findings.test_fits);
   json["residuals"] = {{"prediction", json_residuals(findings.prediction)},

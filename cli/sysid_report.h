@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <strut/sysid/combine.h>
 #include <strut/sysid/experiment.h>
 #include <strut/sysid/identify.h>
 #include <strut/sysid/noise_model.h>
@@ -28,7 +29,7 @@ struct SysidFindings {
   std::vector<std::string> inputs, outputs;    ///< names of columns
   std::vector<sysid::Experiment> train, test;  ///< about the means
   Eigen::RowVectorXd input_mean, output_mean;  ///< taken off, of the training rows
-  sysid::Identified identified;
+  sysid::Combined found;                       ///< of one estimate if no others were asked for
   sysid::NoiseModel noise;
   std::vector<Eigen::VectorXd> initial_states;  ///< of the training clips
   SysidFits train_fits, test_fits;

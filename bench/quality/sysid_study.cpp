@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Identification beside a reference on public sets: prints docs/sysid.md's tables.
-//   sysid_study FOLDER [max_order=N] [block_rows=N] [max_radius=R] [tolerance=T] [weighting=cva|moesp|n4sid]
+//   sysid_study FOLDER [max_order=N] [block_rows=N] [max_radius=R] [tolerance=T] [weighting=cva|moesp|n4sid] [refine=N]
+//               [starts=lead_in]
 // FOLDER holds *.dat (columns: inputs, then outputs) with index.csv and slicot_reference.csv, and mocap/*.txt (columns:
 // clip, 1 = training, inputs, as many outputs) with slicot_reference_mocap.csv. The first half of a .dat trains, the
 // second half tests, all scaled by the training rows' mean and deviation. Everything is simulated from x0 = 0. Options
-// are identify's defaults, but for the .dat, whose poles are slower than motion's: max_order 8, max_radius 0.999.
+// are identify_combined's defaults, but for the .dat, whose poles are slower than motion's: max_order 8, max_radius
+// 0.999. In brackets the number of states.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +20,7 @@
 #include <vector>
 
 #include <strut/core/error.h>
-#include <strut/sysid/identify.h>
+#include <strut/sysid/combine.h>
 
 namespace {
 
@@ -35,8 +37,8 @@ struct Task {
 /// The reference's test fits on one set [%].
 struct Reference {
   double static_map = -1e300;  ///< without states
-  double chosen = -1e300;      ///< of the order its own rule chose, at 10 block rows (a held-out third where tried)
-  double best = -1e300;        ///< the best of all its runs, chosen by the test data: a bound, not a method
+  double automatic = -1e300;   ///< the best of its automatic orders, over block rows and rules: chosen by the test data
+  double best = -1e300;        ///< the best of all its runs and orders: likewise
 };
 
 FrameMatrix read_table(const std::filesystem::path& path) {
@@ -71,18 +73,19 @@ std::vector<std::map<std::string, std::string>> read_csv(const std::filesystem::
   return rows;
 }
 
-std::map<std::string, Reference> read_reference(const std::filesystem::path& path, const std::string& key,
-                                                const std::string& chosen_method) {
+std::map<std::string, Reference> read_reference(const std::filesystem::path& path, const std::string& key) {
   std::map<std::string, Reference> references;
   for (auto& row : read_csv(path)) {
     if (row["fit_test"].empty()) continue;
     Reference& reference = references[row[key]];
     const double fit = std::atof(row["fit_test"].c_str());
-    if (row["method"] == "static_ls") reference.static_map = fit;
-    const bool chosen =
-        chosen_method.empty() ? row["s"] == "10" && row["n_req"] == "-1" : row["method"] == chosen_method;
-    if (chosen) reference.chosen = fit;
-    if (row["method"] != "static_ls") reference.best = std::max(reference.best, fit);
+    if (row["method"] == "static_ls") {
+      reference.static_map = fit;
+      continue;
+    }
+    const bool is_automatic = row["n_req"] == "-1" || row["n_req"] == "auto";
+    if (is_automatic) reference.automatic = std::max(reference.automatic, fit);
+    reference.best = std::max(reference.best, fit);
   }
   return references;
 }
@@ -138,6 +141,8 @@ IdentifyOptions parse_options(int argc, char** argv, IdentifyOptions options) {
       options.max_radius = std::stod(value);
     else if (name == "tolerance")
       options.order_tolerance = std::stod(value);
+    else if (name == "starts" && value == "lead_in")
+      options.starts = strut::sysid::Starts::kLeadIn;
     else if (name == "refine")
       options.refine_iterations = std::stoi(value);
     else if (name == "weighting" && value == "cva")
@@ -158,24 +163,57 @@ std::string number(double value) {
   return text;
 }
 
+double median(std::vector<double> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  return 0.5 * (numbers[(numbers.size() - 1) / 2] + numbers[numbers.size() / 2]);
+}
+
+/// Fits of one way over all sets.
+struct Column {
+  std::vector<double> fits;
+
+  std::string add(double fit, int states) {
+    fits.push_back(fit);
+    return number(fit) + " (" + std::to_string(states) + ")";
+  }
+  [[nodiscard]] std::string summary() const {
+    double total = 0.0;
+    for (const double fit : fits) total += fit;
+    return number(total / static_cast<double>(fits.size())) + " / " + number(median(fits));
+  }
+};
+
 void print_rows(const std::vector<Task>& tasks, const std::map<std::string, Reference>& references,
                 const IdentifyOptions& options) {
-  std::puts("| set | static map | SLICOT, its own order | SLICOT, best of all runs | strut | states | left-out fit |");
-  std::puts("| --- | --- | --- | --- | --- | --- | --- |");
-  double total = 0.0;
+  std::puts(
+      "| set | static map | SLICOT, best automatic | SLICOT, best of all | subspace | refined | combined | left-out |");
+  std::puts("| --- | --- | --- | --- | --- | --- | --- | --- |");
+  IdentifyOptions plain_options = options;
+  plain_options.refine_iterations = 0;
+  Column fixed, automatic, best, plain, refined, combined;
   for (const Task& task : tasks) {
     std::vector<int> groups;
     for (std::size_t k = 0; k < task.train.size(); ++k) groups.push_back(static_cast<int>(k));
-    const auto found = strut::sysid::identify(task.train, groups, options);
-    const double fit = simulated_fit(found.system, task.test);
-    total += fit;
+    const auto found = strut::sysid::identify(task.train, groups, plain_options);
+    const auto mean = strut::sysid::identify_combined(task.train, groups, {.identification = options});
     const auto known = references.find(task.name);
     const Reference reference = known == references.end() ? Reference() : known->second;
-    std::printf("| %s | %s | %s | %s | **%s** | %d | %s |\n", task.name.c_str(), number(reference.static_map).c_str(),
-                number(reference.chosen).c_str(), number(reference.best).c_str(), number(fit).c_str(),
-                found.system.num_states(), number(found.fit).c_str());
+    fixed.fits.push_back(reference.static_map);
+    automatic.fits.push_back(reference.automatic);
+    best.fits.push_back(reference.best);
+    const std::string plain_cell = plain.add(simulated_fit(found.system, task.test), found.system.num_states());
+    const auto& subspace = mean.subspace.system;
+    const std::string refined_cell = refined.add(simulated_fit(subspace, task.test), subspace.num_states());
+    const std::string combined_cell = combined.add(simulated_fit(mean.system, task.test), mean.system.num_states());
+    std::printf("| %s | %s | %s | %s | %s | %s | **%s** | %s |\n", task.name.c_str(),
+                number(reference.static_map).c_str(), number(reference.automatic).c_str(),
+                number(reference.best).c_str(), plain_cell.c_str(), refined_cell.c_str(), combined_cell.c_str(),
+                number(mean.fit).c_str());
+    std::fflush(stdout);
   }
-  std::printf("| mean | | | | %s | | |\n\n", number(total / static_cast<double>(tasks.size())).c_str());
+  std::printf("| mean / median | %s | %s | %s | %s | %s | **%s** | |\n\n", fixed.summary().c_str(),
+              automatic.summary().c_str(), best.summary().c_str(), plain.summary().c_str(), refined.summary().c_str(),
+              combined.summary().c_str());
 }
 
 int run(int argc, char** argv) {
@@ -184,14 +222,17 @@ int run(int argc, char** argv) {
   for (auto& row : read_csv(folder / "index.csv")) {
     tasks.push_back(halves(row["name"], read_table(folder / (row["name"] + ".dat")), std::stoi(row["nu"])));
   }
-  print_rows(tasks, read_reference(folder / "slicot_reference.csv", "dataset", "n4sid_auto_holdout"),
-             parse_options(argc, argv, {.max_order = 8, .max_radius = 0.999}));
+  IdentifyOptions options = strut::sysid::CombineOptions().identification;
+  options.max_order = 8;
+  options.max_radius = 0.999;
+  print_rows(tasks, read_reference(folder / "slicot_reference.csv", "dataset"), parse_options(argc, argv, options));
   tasks.clear();
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "mocap")) paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   for (const auto& path : paths) tasks.push_back(mocap_task(path));
-  print_rows(tasks, read_reference(folder / "slicot_reference_mocap.csv", "set", ""), parse_options(argc, argv, {}));
+  print_rows(tasks, read_reference(folder / "slicot_reference_mocap.csv", "set"),
+             parse_options(argc, argv, strut::sysid::CombineOptions().identification));
   return 0;
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
+#include <strut/core/error.h>
 #include <strut/sysid/order.h>
 
 namespace strut::sysid::detail {
@@ -34,6 +36,17 @@ std::vector<Experiment> FoldedClips::select(int fold, bool inside) const {
     if ((folds[k] == fold) == inside) selected.push_back(clips[k]);
   }
   return selected;
+}
+
+std::vector<int> FoldedClips::folds_without(int fold) const {
+  std::vector<int> selected = folds;
+  if (num_folds > 1) std::erase(selected, fold);
+  return selected;
+}
+
+void check_groups(const std::vector<Experiment>& experiments, const std::vector<int>& groups) {
+  if (groups.size() == experiments.size()) return;
+  throw InvalidArgument("groups", std::to_string(experiments.size()) + " elements", std::to_string(groups.size()));
 }
 
 FoldedClips fold_clips(std::vector<Experiment> clips, std::vector<int> groups, int num_folds, double max_radius,

@@ -4,6 +4,7 @@
 #include "sysid/balance.h"
 #include "sysid/block_rows.h"
 #include "sysid/folds.h"
+#include "sysid/left_out_fit.h"
 
 #include <algorithm>
 #include <optional>
@@ -136,18 +137,18 @@ struct LeftOutFits {
 LeftOutFits left_out_fits(const FoldedClips& folded, const std::vector<HankelFactor>& factors,
                           const IdentifyOptions& options) {
   int max_order = factors.empty() ? 0 : options.max_order;
-  const FitSum none(static_cast<int>(folded.clips.front().output.cols()));
-  std::vector<FitSum> plain(max_order + 1, none), refined(max_order + 1, none);
+  const detail::LeftOutFit none(static_cast<int>(folded.clips.front().output.cols()), options.starts);
+  std::vector<detail::LeftOutFit> plain(max_order + 1, none), refined(max_order + 1, none);
   for (int k = 0; k < folded.num_folds; ++k) {
     const std::vector<Experiment> test = folded.select(k, true);
     const Training training = train(folded.without(k), merge(factors, k), options.weighting);
     max_order = std::min(max_order, training.max_order());
     for (int order = 0; order <= max_order; ++order) {
       const LtiSystem system = fit_order(training, order, options);
-      for (const Experiment& clip : test) plain[order].add(clip, simulate(system, clip.input));
+      for (const Experiment& clip : test) plain[order].add(clip, system);
       if (options.refine_iterations == 0) continue;
       const LtiSystem better = refine(system, training, options);
-      for (const Experiment& clip : test) refined[order].add(clip, simulate(better, clip.input));
+      for (const Experiment& clip : test) refined[order].add(clip, better);
     }
   }
   LeftOutFits fits;
@@ -184,9 +185,7 @@ Identified identify(const std::vector<Experiment>& experiments, const std::vecto
                     const IdentifyOptions& options, Diagnostics* diagnostics) {
   check_experiments(experiments);
   check_options(options);
-  if (groups.size() != experiments.size()) {
-    throw InvalidArgument("groups", std::to_string(experiments.size()) + " elements", std::to_string(groups.size()));
-  }
+  detail::check_groups(experiments, groups);
   const detail::Balance balance(experiments);
   if (balance.num_directions() == 0) {
     const LtiSystem silent = silent_system(experiments.front(), diagnostics);

@@ -134,6 +134,21 @@ TEST_F(Sysid, TakesMeansOffAndTellsThem) {
   EXPECT_EQ(raw["output_mean"], json({0.0, 0.0, 0.0}));
 }
 
+TEST_F(Sysid, TakesTheMeanOfSeveralEstimates) {
+  write_table(exact_table(8, 60, 1.0));
+  const std::vector<std::string> how{"--clip", "clip", "--combine", "--radius", "0.9", "--max-order", "4"};
+  const ProgramResult result = run(how);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  for (const char* told : {"regularized, filtered", "<- taken", "mean of those taken"}) {
+    EXPECT_THAT(result.out, HasSubstr(told));
+  }
+  std::vector<std::string> as_json = how;
+  as_json.emplace_back("--json");
+  const json report = json::parse(run(as_json).out);
+  EXPECT_EQ(report["estimates"].size(), 5u);
+  EXPECT_EQ(report["order"], report["A"].size());
+}
+
 TEST_F(Sysid, HasEveryMethod) {
   write_table(exact_table(8, 60, 0.01));
   for (const char* weighting : {"n4sid", "moesp", "CVA"}) {

@@ -27,6 +27,13 @@ enum class OrderRule {
   kFixed,    ///< `max_order` itself, or as many as the data carry
 };
 
+/// From which states the clips that judge are simulated.
+enum class Starts {
+  kLeadIn,  ///< from rest at the start of their lead-in, as a streamed model runs
+  kEvery,   ///< three times, the mean counts: so; from rest at their first frame; from the state that fits them best.
+            ///< For a system that may be started anywhere: slow ones are otherwise judged by their start alone
+};
+
 struct IdentifyOptions {
   int max_order = 6;    ///< largest number of states tried [states]
   int block_rows = 10;  ///< past and future of the subspace step [frames]; fewer are used if clips are short
@@ -37,6 +44,7 @@ struct IdentifyOptions {
   int num_folds = 4;             ///< sets of groups left out in turn, 2 or more
   InputMatrices input_matrices = InputMatrices::kSimulation;
   OrderRule order_rule = OrderRule::kLeftOut;
+  Starts starts = Starts::kLeadIn;
   int refine_iterations = 0;  ///< steps of refine_system (from rest) tried on every order, 0 for none; kept where the
                               ///< left-out fit is better with it [steps]
 };
