@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Identification beside a reference on public sets: prints docs/sysid.md's tables.
 //   sysid_study FOLDER [max_order=N] [block_rows=N] [max_radius=R] [tolerance=T] [weighting=cva|moesp|n4sid] [refine=N]
-//               [starts=lead_in]
+//               [starts=lead_in] [max_states=N]
 // FOLDER holds *.dat (columns: inputs, then outputs) with index.csv and slicot_reference.csv, and mocap/*.txt (columns:
 // clip, 1 = training, inputs, as many outputs) with slicot_reference_mocap.csv. The first half of a .dat trains, the
 // second half tests, all scaled by the training rows' mean and deviation. Everything is simulated from x0 = 0. Options
@@ -25,6 +25,7 @@
 namespace {
 
 using strut::FrameMatrix;
+using strut::sysid::CombineOptions;
 using strut::sysid::Experiment;
 using strut::sysid::IdentifyOptions;
 using strut::sysid::Weighting;
@@ -128,7 +129,8 @@ Task mocap_task(const std::filesystem::path& path) {
   return task;
 }
 
-IdentifyOptions parse_options(int argc, char** argv, IdentifyOptions options) {
+CombineOptions parse_options(int argc, char** argv, CombineOptions combine) {
+  IdentifyOptions& options = combine.identification;
   for (int k = 2; k < argc; ++k) {
     const std::string argument = argv[k];
     const std::string name = argument.substr(0, argument.find('='));
@@ -143,6 +145,8 @@ IdentifyOptions parse_options(int argc, char** argv, IdentifyOptions options) {
       options.order_tolerance = std::stod(value);
     else if (name == "starts" && value == "lead_in")
       options.starts = strut::sysid::Starts::kLeadIn;
+    else if (name == "max_states")
+      combine.max_states = std::stoi(value);
     else if (name == "refine")
       options.refine_iterations = std::stoi(value);
     else if (name == "weighting" && value == "cva")
@@ -154,7 +158,7 @@ IdentifyOptions parse_options(int argc, char** argv, IdentifyOptions options) {
     else
       throw std::runtime_error("not an option: " + argument);
   }
-  return options;
+  return combine;
 }
 
 std::string number(double value) {
@@ -184,18 +188,18 @@ struct Column {
 };
 
 void print_rows(const std::vector<Task>& tasks, const std::map<std::string, Reference>& references,
-                const IdentifyOptions& options) {
+                const CombineOptions& options) {
   std::puts(
       "| set | static map | SLICOT, best automatic | SLICOT, best of all | subspace | refined | combined | left-out |");
   std::puts("| --- | --- | --- | --- | --- | --- | --- | --- |");
-  IdentifyOptions plain_options = options;
+  IdentifyOptions plain_options = options.identification;
   plain_options.refine_iterations = 0;
   Column fixed, automatic, best, plain, refined, combined;
   for (const Task& task : tasks) {
     std::vector<int> groups;
     for (std::size_t k = 0; k < task.train.size(); ++k) groups.push_back(static_cast<int>(k));
     const auto found = strut::sysid::identify(task.train, groups, plain_options);
-    const auto mean = strut::sysid::identify_combined(task.train, groups, {.identification = options});
+    const auto mean = strut::sysid::identify_combined(task.train, groups, options);
     const auto known = references.find(task.name);
     const Reference reference = known == references.end() ? Reference() : known->second;
     fixed.fits.push_back(reference.static_map);
@@ -222,17 +226,16 @@ int run(int argc, char** argv) {
   for (auto& row : read_csv(folder / "index.csv")) {
     tasks.push_back(halves(row["name"], read_table(folder / (row["name"] + ".dat")), std::stoi(row["nu"])));
   }
-  IdentifyOptions options = strut::sysid::CombineOptions().identification;
-  options.max_order = 8;
-  options.max_radius = 0.999;
+  CombineOptions options;
+  options.identification.max_order = 8;
+  options.identification.max_radius = 0.999;
   print_rows(tasks, read_reference(folder / "slicot_reference.csv", "dataset"), parse_options(argc, argv, options));
   tasks.clear();
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "mocap")) paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   for (const auto& path : paths) tasks.push_back(mocap_task(path));
-  print_rows(tasks, read_reference(folder / "slicot_reference_mocap.csv", "set"),
-             parse_options(argc, argv, strut::sysid::CombineOptions().identification));
+  print_rows(tasks, read_reference(folder / "slicot_reference_mocap.csv", "set"), parse_options(argc, argv, {}));
   return 0;
 }
 

@@ -60,7 +60,7 @@ Reduced reduce_order(const LtiSystem& system, int max_order, double tolerance) {
   const Eigen::MatrixXd r = square_root(gramian(system.a().transpose(), system.c().transpose() * system.c()));
   const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(r.transpose() * s,
                                                                          Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::VectorXd values = svd.singularValues();
+  const Eigen::VectorXd& values = svd.singularValues();
   const int kept = kept_states(values, max_order, tolerance);
   const Eigen::VectorXd scale = values.head(kept).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd to = scale.asDiagonal() * svd.matrixU().leftCols(kept).transpose() * r.transpose();
