@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Least squares on the free response: y - simulated from rest = (C A^t) x0.
-#include <algorithm>
+#include "sysid/decompositions.h"
+
 #include <cmath>
 #include <string>
-
-#include <Eigen/QR>
 
 #include <strut/core/error.h>
 #include <strut/sysid/initial_state.h>
@@ -57,10 +56,7 @@ Eigen::VectorXd estimate_initial_state(const LtiSystem& system, const Experiment
     free = (free * system.a()).eval();
   }
   if (rows == 0) return Eigen::VectorXd::Zero(n);
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr(rows, n);
-  qr.setThreshold(kSeen);
-  qr.compute(responses.topRows(rows));
-  const Eigen::VectorXd state = qr.solve(wanted.head(rows));
+  const Eigen::VectorXd state = detail::least_squares(responses.topRows(rows), wanted.head(rows), kSeen);
   return state.allFinite() ? state : Eigen::VectorXd(Eigen::VectorXd::Zero(n));
 }
 

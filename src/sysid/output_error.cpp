@@ -6,7 +6,7 @@
 // only, which is why its derivatives are gathered apart.
 #include "sysid/output_error.h"
 
-#include <Eigen/QR>
+#include "sysid/decompositions.h"
 
 #include <strut/sysid/initial_state.h>
 
@@ -81,10 +81,7 @@ std::vector<Eigen::Index> own_parameters(const ParameterLayout& at, Eigen::Index
 void eliminate_initial(const Eigen::MatrixXd& initial, const Eigen::MatrixXd& coupling, const Eigen::VectorXd& error,
                        OutputError::Derivatives& sum) {
   constexpr double kSeen = 1e-12;  // squared already: below, the output does not show that direction of the state
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> gram(initial.cols(), initial.cols());
-  gram.setThreshold(kSeen);
-  gram.compute(initial.transpose() * initial);
-  const Eigen::MatrixXd gain = gram.solve(coupling);
+  const Eigen::MatrixXd gain = least_squares(initial.transpose() * initial, coupling, kSeen);
   sum.gram.noalias() -= coupling.transpose() * gain;
   sum.right.noalias() -= gain.transpose() * (initial.transpose() * error);
 }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Balanced truncation by square roots: with gramians P = S S' and Q = R R' and R' S = U diag(s) V', the states
-// diag(s)^-1/2 U' R' x have both gramians diag(s).
-#include <algorithm>
-#include <cmath>
-#include <string>
+// Balanced truncation by a square root: with gramians P = S S' and Q, and S' Q S = V diag(s)^2 V', the states
+// diag(s)^-3/2 V' S' Q x have both gramians diag(s).
+#include "sysid/decompositions.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include <string>
 
 #include <strut/core/error.h>
 #include <strut/sysid/reduce.h>
@@ -30,12 +27,12 @@ Eigen::MatrixXd gramian(Eigen::MatrixXd a, const Eigen::MatrixXd& m) {
 
 /// S with S S' = M, for a symmetric M that is positive semidefinite but for rounding.
 Eigen::MatrixXd square_root(const Eigen::MatrixXd& m) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(m);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const detail::SymmetricEigen eigen = detail::symmetric_eigen(m);
+  return eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 int kept_states(const Eigen::VectorXd& values, int max_order, double tolerance) {
-  constexpr double kRounding = 1e-12;  // of the largest: what the gramians' roots leave of a state that is not there
+  constexpr double kRounding = 1e-7;  // of the largest: its square is lost beside the square of that
   const double allowed = tolerance * tolerance * values.squaredNorm();
   int kept = 0;
   while (kept < values.size() && kept < max_order && values[kept] > kRounding * values[0] &&
@@ -57,14 +54,15 @@ Reduced reduce_order(const LtiSystem& system, int max_order, double tolerance) {
   }
   if (system.num_states() == 0) return {system, Eigen::VectorXd(0), 0.0};
   const Eigen::MatrixXd s = square_root(gramian(system.a(), system.b() * system.b().transpose()));
-  const Eigen::MatrixXd r = square_root(gramian(system.a().transpose(), system.c().transpose() * system.c()));
-  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(r.transpose() * s,
-                                                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::VectorXd& values = svd.singularValues();
+  const Eigen::MatrixXd q = gramian(system.a().transpose(), system.c().transpose() * system.c());
+  const detail::SymmetricEigen eigen = detail::symmetric_eigen(s.transpose() * q * s);
+  const Eigen::VectorXd values = eigen.values.reverse().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::MatrixXd v = eigen.vectors.rowwise().reverse();
   const int kept = kept_states(values, max_order, tolerance);
   const Eigen::VectorXd scale = values.head(kept).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd to = scale.asDiagonal() * svd.matrixU().leftCols(kept).transpose() * r.transpose();
-  const Eigen::MatrixXd from = s * svd.matrixV().leftCols(kept) * scale.asDiagonal();
+  const Eigen::MatrixXd to = scale.cwiseProduct(values.head(kept).cwiseInverse()).asDiagonal() *
+                             v.leftCols(kept).transpose() * s.transpose() * q;
+  const Eigen::MatrixXd from = s * v.leftCols(kept) * scale.asDiagonal();
   return {{to * system.a() * from, to * system.b(), system.c() * from, system.d()},
           values,
           2.0 * values.tail(values.size() - kept).sum()};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Levenberg-Marquardt in data driven local coordinates. Changing the states' coordinates by I + T moves (A, B, C) by
 // (T A - A T, T B, -C T) and the output not at all: steps are taken orthogonal to all such directions.
+#include "sysid/decompositions.h"
 #include "sysid/output_error.h"
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 #include <string>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <strut/core/error.h>
 #include <strut/sysid/refine.h>
@@ -68,10 +67,10 @@ LtiSystem with_white_states(const LtiSystem& system, const std::vector<Experimen
   }
   covariance /= frames;
   if (n == 0 || !covariance.allFinite() || !(covariance.trace() > 0.0)) return system;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
-  const Eigen::VectorXd size = eigen.eigenvalues().cwiseMax(kMoves * eigen.eigenvalues().tail(1)[0]).cwiseSqrt();
-  const Eigen::MatrixXd to = size.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
-  const Eigen::MatrixXd from = eigen.eigenvectors() * size.asDiagonal();
+  const detail::SymmetricEigen eigen = detail::symmetric_eigen(covariance);
+  const Eigen::VectorXd size = eigen.values.cwiseMax(kMoves * eigen.values.tail(1)[0]).cwiseSqrt();
+  const Eigen::MatrixXd to = size.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
+  const Eigen::MatrixXd from = eigen.vectors * size.asDiagonal();
   return {to * system.a() * from, to * system.b(), system.c() * from, system.d()};
 }
 
@@ -89,11 +88,7 @@ Eigen::MatrixXd local_coordinates(const LtiSystem& system) {
                           Eigen::MatrixXd::Zero(at.l, at.m));
     moves.col(k) = detail::parameters_of(moved);
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(moves.rows(), moves.cols());
-  qr.setThreshold(kIndependent);
-  qr.compute(moves);
-  const Eigen::MatrixXd q = qr.householderQ();
-  return q.rightCols(at.count() - qr.rank());
+  return detail::orthogonal_complement(moves, kIndependent);
 }
 
 /// A system with its error.

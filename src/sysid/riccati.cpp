@@ -6,10 +6,10 @@
 #include <string>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <strut/core/error.h>
+#include <strut/sysid/lti_system.h>
 #include <strut/sysid/riccati.h>
 
 namespace strut::sysid {
@@ -71,7 +71,9 @@ std::optional<KalmanFilter> stationary_kalman_filter(const Eigen::MatrixXd& a, c
   const Eigen::LLT<Eigen::MatrixXd> factor(innovation);
   if (factor.info() != Eigen::Success) return {};
   const Eigen::MatrixXd gain = factor.solve((a * *p * c.transpose() + noise.cross).transpose()).transpose();
-  if (!gain.allFinite() || !((a - gain * c).eval().eigenvalues().cwiseAbs().maxCoeff() < 1.0)) return {};
+  if (!gain.allFinite()) return {};
+  const LtiSystem filter(a - gain * c, gain, c, Eigen::MatrixXd::Zero(l, l));
+  if (!(filter.spectral_radius() < 1.0)) return {};
   return KalmanFilter{gain, *p, innovation};
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // States from a Hankel factor. Its columns are, frame by frame within each: future inputs Uf, past inputs Up, past
 // outputs Yp, future outputs Yf. Moving the first future frame into the past gives the data of one frame later.
+#include "sysid/decompositions.h"
+
+#include <algorithm>
 #include <string>
 
 #include <Eigen/QR>
@@ -11,6 +14,7 @@
 namespace strut::sysid {
 namespace {
 
+constexpr double kSeen = 1e-12;         // of the best seen state: less of it shows as rounding
 constexpr double kIndependent = 1e-10;  // as in the subspace step: nearer to a combination of the rest is nothing new
 
 /// Hankel data whose columns are ordered (future inputs, past, future outputs).
@@ -27,7 +31,7 @@ Eigen::MatrixXd observer(const Eigen::MatrixXd& a, const Eigen::MatrixXd& c, Eig
     gamma.middleRows(k * c.rows(), c.rows()) = power;
     power = (power * a).eval();
   }
-  return gamma.completeOrthogonalDecomposition().pseudoInverse();
+  return detail::least_squares(gamma, Eigen::MatrixXd::Identity(gamma.rows(), gamma.rows()), kSeen);
 }
 
 /// The states at the border of past and future: (rows x states).
@@ -36,10 +40,8 @@ Eigen::MatrixXd states_of(const Ordered& data, const Eigen::MatrixXd& observer) 
   const Eigen::MatrixXd r = qr.matrixQR().triangularView<Eigen::Upper>();
   const Eigen::Index f = data.future_inputs;
   const Eigen::Index p = data.past;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> past(p, p);
-  past.setThreshold(kIndependent);
-  past.compute(r.block(f, f, p, p));
-  const Eigen::MatrixXd gain = past.solve(r.block(f, f + p, p, data.future_outputs));
+  const Eigen::MatrixXd gain =
+      detail::least_squares(r.block(f, f, p, p), r.block(f, f + p, p, data.future_outputs), kIndependent);
   return data.rows.middleCols(f, p) * (gain * observer.transpose());
 }
 
@@ -87,12 +89,11 @@ LtiSystem input_matrices_from_states(const Eigen::MatrixXd& a, const Eigen::Matr
   if (estimates.state.cols() != a.rows() || estimates.output.cols() != c.rows()) {
     throw InvalidArgument("estimates", "those of this A and C", "other widths");
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> input(estimates.input.rows(), estimates.input.cols());
-  input.setThreshold(kIndependent);
-  input.compute(estimates.input);
-  const Eigen::MatrixXd b = input.solve(estimates.next_state - estimates.state * a.transpose()).transpose();
-  const Eigen::MatrixXd d = input.solve(estimates.output - estimates.state * c.transpose()).transpose();
-  return {a, b, c, d};
+  const auto regressed = [&](const Eigen::MatrixXd& rest) -> Eigen::MatrixXd {
+    return detail::least_squares(estimates.input, rest, kIndependent).transpose();
+  };
+  return {a, regressed(estimates.next_state - estimates.state * a.transpose()), c,
+          regressed(estimates.output - estimates.state * c.transpose())};
 }
 
 NoiseCovariances noise_covariances(const LtiSystem& system, const StateEstimates& estimates) {
