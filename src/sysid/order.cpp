@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Folds of groups of clips, and the smallest order that fits left-out clips nearly as well as the best.
+// Folds of groups of clips, rounds of leaving them out, and the smallest order that fits left-out clips nearly as well
+// as the best.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -53,17 +54,42 @@ int largest_gap(const Eigen::VectorXd& singular_values, int max_order) {
   return order;
 }
 
+namespace {
+
+int count(const std::vector<int>& folds) {
+  return folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
+}
+
+/// The output fold that is tested along with each input fold, or -1: the two that share most weight first, so that as
+/// many clips as can be are tested.
+std::vector<int> match_folds(const std::vector<int>& inputs, const std::vector<int>& outputs,
+                             const std::vector<int>& weights) {
+  std::map<std::pair<int, int>, long> shared;
+  for (std::size_t k = 0; k < inputs.size(); ++k) shared[{inputs[k], outputs[k]}] += weights[k];
+  std::vector<std::pair<std::pair<int, int>, long>> heaviest_first(shared.begin(), shared.end());
+  std::stable_sort(heaviest_first.begin(), heaviest_first.end(),
+                   [](const auto& one, const auto& other) { return one.second > other.second; });
+  std::vector<int> partner(static_cast<std::size_t>(count(inputs)), -1);
+  for (const auto& [folds, weight] : heaviest_first) {
+    const bool is_taken = std::find(partner.begin(), partner.end(), folds.second) != partner.end();
+    if (partner[folds.first] == -1 && !is_taken) partner[folds.first] = folds.second;
+  }
+  return partner;
+}
+
+}  // namespace
+
 LeaveOut leave_out_pairs(const std::vector<int>& input_groups, const std::vector<int>& output_groups,
                          const std::vector<int>& weights, int num_folds) {
   const std::vector<int> inputs = assign_folds(input_groups, weights, num_folds);
   const std::vector<int> outputs = assign_folds(output_groups, weights, num_folds);
-  const int rounds =
-      std::min(*std::max_element(inputs.begin(), inputs.end()), *std::max_element(outputs.begin(), outputs.end())) + 1;
+  const std::vector<int> partner = match_folds(inputs, outputs, weights);
   LeaveOut result;
-  for (int round = 0; round < rounds; ++round) {
+  for (int fold = 0; fold < count(inputs); ++fold) {
+    if (partner[fold] == -1) continue;
     std::vector<Role>& roles = result.rounds.emplace_back();
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-      const int matches = (inputs[k] == round ? 1 : 0) + (outputs[k] == round ? 1 : 0);
+      const int matches = (inputs[k] == fold ? 1 : 0) + (outputs[k] == partner[fold] ? 1 : 0);
       roles.push_back(matches == 2 ? Role::kTest : matches == 0 ? Role::kLearn : Role::kUnused);
     }
   }

@@ -33,13 +33,16 @@ struct LeaveOut {
   std::vector<std::vector<Role>> rounds;  ///< (rounds x clips)
 };
 
-/// Clips of one group are left out together, a fold of groups a round (see assign_folds, whose exceptions it throws). A
-/// single group makes one round without clips to learn from.
+/// Clips of one group are left out together, a fold of groups a round; every clip is tested once. A single group makes
+/// one round without clips to learn from, no clip none. Arguments and exceptions as of assign_folds. Cost clips x
+/// folds.
 LeaveOut leave_out_groups(const std::vector<int>& groups, const std::vector<int>& weights, int num_folds);
 
-/// Clips made of an input and an output that belong to groups of their own, such as the recordings both were cut from:
-/// a round tests the clips that have both in a fold and learns from those that have neither; the others are unused.
-/// Otherwise an output that is paired with several inputs would be known while it is judged.
+/// Clips made of an input and an output that belong to groups of their own, such as the recordings both were cut from.
+/// A round tests the clips that have both in a fold of inputs and its fold of outputs, and learns from those that have
+/// neither; the others are unused. Otherwise an output that is paired with several inputs would be known while it is
+/// judged. Folds of inputs and of outputs that share most weight are tested together; a clip is tested once or never,
+/// and a round may have no clip to learn from. Arguments and exceptions as of assign_folds. Cost clips x folds.
 LeaveOut leave_out_pairs(const std::vector<int>& input_groups, const std::vector<int>& output_groups,
                          const std::vector<int>& weights, int num_folds);
 
