@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The Hankel matrix H of a finite response is its own infinite one: with H = U S V', the states scaled by sqrt(S) are
-// balanced, and A is what moves the rows of the observability matrix U sqrt(S) one block up.
+// The Hankel matrix H of a finite response is its own infinite one, so nothing is approximated before the truncation:
+//
+//   H = U S V'                                  block (i, j) is tap i + j + 1, zero beyond the last
+//   C = first block of U sqrt(S)                B = sqrt(S)^-1 U' (first block column of H)
+//   A = sqrt(S)^-1 U' Z U sqrt(S)               Z moves rows one block up
+//
+// U'Z U is a corner of a nilpotent shift whatever columns U has, so its eigenvalues are of modulus cos(pi / taps) at
+// most.
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <strut/core/error.h>
 #include <strut/sysid/balanced_truncation.h>
@@ -12,19 +21,20 @@
 namespace strut::sysid {
 namespace {
 
-void check(const ImpulseResponse& response, const TruncationOptions& options) {
-  if (response.empty() || response.front().size() == 0) throw InvalidArgument("response", "at least one tap", "none");
-  for (const Eigen::MatrixXd& tap : response) {
-    if (tap.rows() != response.front().rows() || tap.cols() != response.front().cols()) {
-      throw InvalidArgument("response", "taps of one shape", "several");
-    }
-    if (!tap.allFinite()) throw InvalidArgument("response", "finite numbers", "NaN or infinity");
-  }
-  if (options.max_order < 0) throw InvalidArgument("max_order", "0 or more", std::to_string(options.max_order));
-  if (!(options.tolerance >= 0.0)) throw InvalidArgument("tolerance", "0 or more", std::to_string(options.tolerance));
+std::string shape(const Eigen::MatrixXd& tap) {
+  return std::to_string(tap.rows()) + " x " + std::to_string(tap.cols());
 }
 
-/// Block (i, j) is tap i + j + 1, zero beyond the last.
+void check(const ImpulseResponse& response) {
+  if (response.empty()) throw InvalidArgument("response", "at least one tap", "none");
+  const std::string wanted = shape(response.front());
+  if (response.front().size() == 0) throw InvalidArgument("response", "at least one output and one input", wanted);
+  for (const Eigen::MatrixXd& tap : response) {
+    if (shape(tap) != wanted) throw InvalidArgument("response", "taps of " + wanted, shape(tap));
+    if (!tap.allFinite()) throw InvalidArgument("response", "finite numbers", "NaN or infinity");
+  }
+}
+
 Eigen::MatrixXd hankel_matrix(const ImpulseResponse& response) {
   const auto blocks = static_cast<Eigen::Index>(response.size()) - 1;
   const Eigen::Index l = response.front().rows();
@@ -38,75 +48,102 @@ Eigen::MatrixXd hankel_matrix(const ImpulseResponse& response) {
   return hankel;
 }
 
-double energy(const ImpulseResponse& response, std::size_t first) {
+LtiSystem static_map(const Eigen::MatrixXd& direct) {
+  return {Eigen::MatrixXd(0, 0), Eigen::MatrixXd(0, direct.cols()), Eigen::MatrixXd(direct.rows(), 0), direct};
+}
+
+double energy(const ImpulseResponse& response) {
   double total = 0.0;
-  for (std::size_t k = first; k < response.size(); ++k) total += response[k].squaredNorm();
+  for (const Eigen::MatrixXd& tap : response) total += tap.squaredNorm();
   return total;
 }
 
-/// Root of the share of the response's energy that `system` misses within its taps.
-double relative_error(const ImpulseResponse& response, const LtiSystem& system) {
-  ImpulseResponse difference = impulse_response(system, static_cast<int>(response.size()));
-  for (std::size_t k = 0; k < response.size(); ++k) difference[k] -= response[k];
-  const double whole = energy(response, 0);
-  return whole > 0.0 ? std::sqrt(energy(difference, 0) / whole) : 0.0;
+/// W = sum over k of A'^k C'C A^k, by doubling the sum's length until A^k has faded.
+Eigen::MatrixXd observability_gramian(const LtiSystem& system) {
+  constexpr int kMostDoublings = 40;
+  constexpr double kFaded = 1e-12;
+  Eigen::MatrixXd gramian = system.c().transpose() * system.c();
+  Eigen::MatrixXd power = system.a();
+  for (int k = 0; k < kMostDoublings && power.norm() > kFaded; ++k) {
+    gramian += (power.transpose() * gramian * power).eval();
+    power = (power * power).eval();
+  }
+  return gramian;
 }
 
-class BalancedRealization {
- public:
-  explicit BalancedRealization(const ImpulseResponse& response)
-      : direct_(response.front()), hankel_(hankel_matrix(response)) {
-    if (hankel_.size() == 0) return;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hankel_ * hankel_.transpose());
-    values_ = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().reverse();
-    left_ = eigen.eigenvectors().rowwise().reverse();
-  }
+/// The energy of the system's response from tap `taps` on.
+double energy_beyond(const LtiSystem& system, std::size_t taps) {
+  Eigen::MatrixXd state = system.b();
+  for (std::size_t k = 1; k < taps; ++k) state = (system.a() * state).eval();
+  return std::max(0.0, state.cwiseProduct(observability_gramian(system) * state).sum());
+}
 
-  [[nodiscard]] const Eigen::VectorXd& values() const { return values_; }
+/// Root of the energy by which the responses differ, per energy of the finite one.
+double relative_error(const ImpulseResponse& response, const LtiSystem& system) {
+  const double whole = energy(response);
+  if (whole == 0.0) return 0.0;
+  ImpulseResponse difference = impulse_response(system, static_cast<int>(response.size()));
+  for (std::size_t k = 0; k < response.size(); ++k) difference[k] -= response[k];
+  return std::sqrt((energy(difference) + energy_beyond(system, response.size())) / whole);
+}
 
-  /// States whose singular value is more than rounding (of the squared matrix that was decomposed).
-  [[nodiscard]] int largest_order() const {
-    constexpr double kSignificant = 1e-7;
-    return values_.size() == 0 || values_[0] == 0.0
-               ? 0
-               : static_cast<int>((values_.array() > kSignificant * values_[0]).count());
-  }
+/// The singular values of H, falling, and what belongs to them on the left. From H' = Q R and R' = U S W', without
+/// squaring: small singular values matter.
+std::pair<Eigen::VectorXd, Eigen::MatrixXd> decompose(const Eigen::MatrixXd& hankel) {
+  if (hankel.size() == 0) return {Eigen::VectorXd(0), Eigen::MatrixXd(hankel.rows(), 0)};
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(hankel.transpose());
+  const Eigen::Index rank = std::min(hankel.rows(), hankel.cols());
+  const Eigen::MatrixXd r = qr.matrixQR().topRows(rank).triangularView<Eigen::Upper>();
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(r.transpose(), Eigen::ComputeThinU);
+  return {svd.singularValues(), svd.matrixU()};
+}
 
-  [[nodiscard]] LtiSystem truncated(int order) const {
-    const Eigen::Index l = direct_.rows();
-    const Eigen::Index m = direct_.cols();
-    const Eigen::VectorXd root = values_.head(order).cwiseSqrt();
-    const Eigen::MatrixXd observability = left_.leftCols(order) * root.asDiagonal();
-    const Eigen::MatrixXd inverse = root.cwiseInverse().asDiagonal() * left_.leftCols(order).transpose();
-    Eigen::MatrixXd shifted = Eigen::MatrixXd::Zero(observability.rows(), order);
-    if (order > 0) shifted.topRows(observability.rows() - l) = observability.bottomRows(observability.rows() - l);
-    const Eigen::MatrixXd b = order > 0 ? Eigen::MatrixXd(inverse * hankel_.leftCols(m)) : Eigen::MatrixXd(0, m);
-    const Eigen::MatrixXd c = order > 0 ? Eigen::MatrixXd(observability.topRows(l)) : Eigen::MatrixXd(l, 0);
-    return {inverse * shifted, b, c, direct_};
-  }
+/// States whose singular value is more than rounding, at most `max_order`.
+Eigen::Index largest_order(const Eigen::VectorXd& values, int max_order) {
+  constexpr double kRounding = 1e-12;
+  if (values.size() == 0 || values[0] == 0.0) return 0;
+  return std::min<Eigen::Index>(max_order, (values.array() > kRounding * values[0]).count());
+}
 
- private:
-  Eigen::MatrixXd direct_, hankel_;
-  Eigen::VectorXd values_;
-  Eigen::MatrixXd left_;
-};
+/// The balanced states that belong to the given singular values (which are not zero).
+LtiSystem realize(const Eigen::MatrixXd& hankel, const Eigen::VectorXd& values, const Eigen::MatrixXd& left,
+                  const Eigen::MatrixXd& direct) {
+  const Eigen::Index l = direct.rows();
+  const Eigen::Index rows = hankel.rows();
+  const Eigen::VectorXd root = values.cwiseSqrt();
+  const Eigen::MatrixXd observability = left * root.asDiagonal();
+  const Eigen::MatrixXd inverse = root.cwiseInverse().asDiagonal() * left.transpose();
+  return {inverse.leftCols(rows - l) * observability.bottomRows(rows - l), inverse * hankel.leftCols(direct.cols()),
+          observability.topRows(l), direct};
+}
+
+/// The first `order` states without the others: of a balanced system, its truncation.
+LtiSystem leading_states(const LtiSystem& system, Eigen::Index order) {
+  return {system.a().topLeftCorner(order, order), system.b().topRows(order), system.c().leftCols(order), system.d()};
+}
 
 }  // namespace
 
+void check_truncation_options(const TruncationOptions& options) {
+  if (options.max_order < 0) throw InvalidArgument("max_order", "0 or more", std::to_string(options.max_order));
+  if (!(options.tolerance >= 0.0)) throw InvalidArgument("tolerance", "0 or more", std::to_string(options.tolerance));
+}
+
 TruncatedSystem balanced_truncation(const ImpulseResponse& response, const TruncationOptions& options) {
-  check(response, options);
-  const BalancedRealization balanced(response);
-  const int largest = std::min(options.max_order, balanced.largest_order());
-  const auto finish = [&](LtiSystem system, int order) {
+  check(response);
+  check_truncation_options(options);
+  const Eigen::MatrixXd hankel = hankel_matrix(response);
+  const auto [values, left] = decompose(hankel);
+  const Eigen::Index largest = largest_order(values, options.max_order);
+  const LtiSystem whole = largest == 0
+                              ? static_map(response.front())
+                              : realize(hankel, values.head(largest), left.leftCols(largest), response.front());
+  for (Eigen::Index order = 0;; ++order) {
+    LtiSystem system = leading_states(whole, order);
     const double error = relative_error(response, system);
-    const double bound = 2.0 * balanced.values().tail(balanced.values().size() - order).sum();
-    return TruncatedSystem{std::move(system), balanced.values(), error, bound};
-  };
-  for (int order = 0; order < largest; ++order) {
-    TruncatedSystem found = finish(balanced.truncated(order), order);
-    if (found.error * found.error <= options.tolerance) return found;
+    if (order < largest && error * error > options.tolerance) continue;
+    return {std::move(system), values, error, 2.0 * values.tail(values.size() - order).sum()};
   }
-  return finish(balanced.truncated(largest), largest);
 }
 
 ImpulseResponse impulse_response(const LtiSystem& system, int taps) {

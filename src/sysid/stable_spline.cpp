@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Kernels written so that one number, the decay of the variance from tap to tap, means the same for all of them:
+//
+//   TC  decay^j                                     DC  decay^((i + j) / 2) correlation^(j - i)
+//   SS  3/2 b^(i + 2j) - 1/2 b^(3j), b^3 = decay        for taps i <= j
 #include <cmath>
 #include <string>
 
@@ -23,16 +27,16 @@ void check(const KernelShape& shape, int taps) {
 /// The covariance of taps i <= j.
 double covariance(const KernelShape& shape, int i, int j) {
   switch (shape.kernel) {
+    case Kernel::kTc:
+      break;
     case Kernel::kDc:
       return std::pow(shape.decay, 0.5 * (i + j)) * std::pow(shape.correlation, j - i);
     case Kernel::kSs: {
-      // The variance falls as b^3 with b the decay of the spline: taking b = decay^(1/3) gives all kernels one meaning.
       const double b = std::cbrt(shape.decay);
       return 1.5 * std::pow(b, i + 2 * j) - 0.5 * std::pow(b, 3 * j);
     }
-    default:
-      return std::pow(shape.decay, j);
   }
+  return std::pow(shape.decay, j);
 }
 
 }  // namespace
@@ -47,6 +51,9 @@ Eigen::MatrixXd kernel_covariance(const KernelShape& shape, int taps) {
 }
 
 Eigen::MatrixXd kernel_factor(const KernelShape& shape, int taps, double least_variance) {
+  if (!(least_variance >= 0.0 && least_variance <= 1.0)) {
+    throw InvalidArgument("least_variance", "from 0 to 1", std::to_string(least_variance));
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(kernel_covariance(shape, taps));
   const Eigen::VectorXd& variances = eigen.eigenvalues();  // rising
   const auto kept = (variances.array() >= least_variance * variances[taps - 1]).count();

@@ -20,16 +20,22 @@ struct TruncationOptions {
 
 struct TruncatedSystem {
   LtiSystem system;
-  Eigen::VectorXd hankel_singular_values;  ///< all, falling
-  double error = 0.0;  ///< energy of the response's difference over energy of the response, square root of: 0 is exact
+  Eigen::VectorXd hankel_singular_values;  ///< all, falling: (taps - 1) x the lesser of inputs and outputs
+  double error = 0.0;  ///< root of the energy of the difference between the responses (what the system answers after
+                       ///< the last tap included) over the energy of the given one: 0 is exact. Its square is at most
+                       ///< `tolerance` unless `max_order` is reached
   double bound = 0.0;  ///< twice the sum of the singular values left out: bounds the gain of the difference at any
-                       ///< frequency (Glover 1984)
+                       ///< frequency (Al-Saggaf and Franklin 1987; in continuous time Enns and Glover 1984)
 };
 
-/// The balanced realization of a finite impulse response, truncated (Moore 1981). The Hankel matrix of the response is
-/// finite, so the truncation is exact and the system stable whatever the order.
+/// Throws InvalidArgument if an option is out of range.
+void check_truncation_options(const TruncationOptions& options);
+
+/// The balanced realization of a finite impulse response, truncated (Kung 1978, Moore 1981): the fewest states within
+/// the tolerance. The Hankel matrix of a finite response is finite, so nothing but the truncation is approximated, and
+/// the system is stable whatever the order: poles are of modulus cos(pi / taps) at most.
 /// Throws InvalidArgument if there is no tap, taps differ in shape or are not finite, or an option is out of range.
-/// Cost (taps x outputs)^2 x taps x inputs, and (taps x outputs)^3.
+/// Cost (taps x outputs)^2 x taps x inputs, (taps x outputs)^3, and order^2 x taps x inputs per order tried.
 TruncatedSystem balanced_truncation(const ImpulseResponse& response, const TruncationOptions& options = {});
 
 /// The first `taps` taps of a system's impulse response: D, C B, C A B, ... Throws InvalidArgument if `taps` < 1.

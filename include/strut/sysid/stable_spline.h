@@ -22,13 +22,15 @@ struct KernelShape {
   double correlation = 0.9;  ///< of neighbouring taps, in [-1, 1]; kDc only
 };
 
-/// The covariance of the taps 0 .. taps-1, scaled so that tap 0 has variance 1: (taps x taps), symmetric, positive
-/// definite up to rounding. Throws InvalidArgument unless there is a tap and the shape is in range. Cost taps^2.
+/// The covariance of the taps 0 .. taps-1, scaled so that tap k has variance decay^k: (taps x taps), symmetric,
+/// positive semidefinite up to rounding. Throws InvalidArgument unless there is a tap and the shape is in range. Cost
+/// taps^2.
 Eigen::MatrixXd kernel_covariance(const KernelShape& shape, int taps);
 
 /// The directions in which the prior varies, most first, scaled by their deviation: F (taps x directions) with F F' the
-/// covariance, but for directions of less than `least_variance` of the largest, which are left out.
-/// Throws as kernel_covariance. Cost taps^3.
+/// covariance, but for directions whose variance is less than `least_variance` (0 to 1) of the largest, which are left
+/// out: there is always one. Throws as kernel_covariance, and InvalidArgument if `least_variance` is out of range. Cost
+/// taps^3.
 Eigen::MatrixXd kernel_factor(const KernelShape& shape, int taps, double least_variance = 1e-3);
 
 }  // namespace strut::sysid
