@@ -31,8 +31,6 @@ LagSums::LagSums(int num_inputs, int num_outputs, int taps)
       y(yy) {}
 
 void LagSums::add(const Experiment& experiment, int taps) {
-  const Eigen::Index m = experiment.input.cols();
-  const Eigen::Index n = taps;
   const Eigen::MatrixXd lagged = lagged_rows(experiment.input, experiment.lead_in, taps);
   const Eigen::Index rows = lagged.rows() - 1;
   const auto fitted = experiment.output.bottomRows(rows);
@@ -40,22 +38,27 @@ void LagSums::add(const Experiment& experiment, int taps) {
   yy += fitted.colwise().squaredNorm().transpose();
   y += fitted.colwise().sum().transpose();
   frames += static_cast<double>(rows);
+  add_products(lagged, taps);
+}
 
-  Eigen::MatrixXd lag_zero(rows, m);
-  for (Eigen::Index i = 0; i < m; ++i) lag_zero.col(i) = lagged.col(i * n).tail(rows);
+/// The block of inputs (i, j) is swept column by column from the one on its left; the one of (j, i) is its transpose.
+void LagSums::add_products(const Eigen::MatrixXd& lagged, Eigen::Index n) {
+  const Eigen::Index m = lagged.cols() / n;
+  const Eigen::Index rows = lagged.rows() - 1;
+  const Eigen::MatrixXd lag_zero = lagged(Eigen::lastN(rows), Eigen::seqN(0, m, n));
   const Eigen::MatrixXd first = lag_zero.transpose() * lagged.bottomRows(rows);  // m x (m n)
-  const Eigen::RowVectorXd before = lagged.row(0), last = lagged.row(rows);
+  const Eigen::VectorXd before = lagged.row(0), last = lagged.row(rows);
   Eigen::MatrixXd block(n, n);
   for (Eigen::Index i = 0; i < m; ++i) {
-    for (Eigen::Index j = 0; j < m; ++j) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
       block.row(0) = first.block(i, j * n, 1, n);
       block.col(0) = first.block(j, i * n, 1, n).transpose();
       for (Eigen::Index b = 1; b < n; ++b) {
-        const double gain = before[j * n + b - 1], loss = last[j * n + b - 1];
-        block.col(b).tail(n - 1) = block.col(b - 1).head(n - 1) + gain * before.segment(i * n, n - 1).transpose() -
-                                   loss * last.segment(i * n, n - 1).transpose();
+        block.col(b).tail(n - 1) = block.col(b - 1).head(n - 1) + before[j * n + b - 1] * before.segment(i * n, n - 1) -
+                                   last[j * n + b - 1] * last.segment(i * n, n - 1);
       }
       uu.block(i * n, j * n, n, n) += block;
+      if (j < i) uu.block(j * n, i * n, n, n) += block.transpose();
     }
   }
 }
@@ -66,15 +69,6 @@ LagSums& LagSums::operator+=(const LagSums& other) {
   yy += other.yy;
   y += other.y;
   frames += other.frames;
-  return *this;
-}
-
-LagSums& LagSums::operator-=(const LagSums& other) {
-  uu -= other.uu;
-  uy -= other.uy;
-  yy -= other.yy;
-  y -= other.y;
-  frames -= other.frames;
   return *this;
 }
 

@@ -9,7 +9,7 @@
 namespace strut::sysid::detail {
 
 /// Normal equations of y[t] = sum over inputs i and lags a of g_i[a] u_i[t - a]. Coefficients stand input by input,
-/// lags within. Sums of sets of clips add and subtract.
+/// lags within. Sums of sets of clips add.
 struct LagSums {
   Eigen::MatrixXd uu;  ///< (inputs x taps) squared
   Eigen::MatrixXd uy;  ///< (inputs x taps) x outputs
@@ -19,11 +19,13 @@ struct LagSums {
 
   LagSums(int num_inputs, int num_outputs, int taps);
 
-  /// Adds the rows of a clip after its lead-in; before its first row the input is zero.
+  /// Adds the rows of a clip after its lead-in; before its first row the input is zero. `taps` as constructed.
   /// Cost frames x inputs^2 x taps + (inputs x taps)^2.
   void add(const Experiment& experiment, int taps);
   LagSums& operator+=(const LagSums& other);
-  LagSums& operator-=(const LagSums& other);
+
+ private:
+  void add_products(const Eigen::MatrixXd& lagged, Eigen::Index taps);
 };
 
 }  // namespace strut::sysid::detail
