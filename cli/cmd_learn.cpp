@@ -43,11 +43,23 @@ json describe_files(const std::vector<std::string>& paths) {
   return files;
 }
 
+std::string method_name(LearnMethod method) {
+  if (method == LearnMethod::kRadial) return "radial";
+  return method == LearnMethod::kLinear ? "linear" : "paper";
+}
+
 json describe_options(const LearnOptions& options) {
   return {{"scale_smoothness", options.alignment.space.scale_smoothness},
           {"offset_smoothness", options.alignment.space.offset_smoothness},
           {"time_warp_smoothing", options.time_warp_smoothing},
           {"lead_in", options.lead_in},
+          {"method", method_name(options.method)},
+          {"context", options.context},
+          {"centres", options.radial.centres},
+          {"width", options.radial.width},
+          {"shrinkage", options.radial.ridge},
+          {"lags", options.radial.lags},
+          {"lag", options.radial.lag},
           {"max_order", options.identification.max_order},
           {"block_rows", options.identification.block_rows},
           {"longest_memory", options.longest_memory},
@@ -93,6 +105,26 @@ void add_learn(CLI::App& app) {
   CLI::App* command = app.add_subcommand("learn", "Learn a style from paired clips");
   command->add_option("pairs", arguments->pairs, "Pair list made by strut pair (.toml)")->required();
   command->add_option("-o,--output", arguments->output, "Style model to write (.strut)")->required();
+  command->add_option("--method", options.method, "Kind of model: radial, linear or paper (default radial)")
+      ->transform(one_of({{"radial", static_cast<int>(LearnMethod::kRadial)},
+                          {"linear", static_cast<int>(LearnMethod::kLinear)},
+                          {"paper", static_cast<int>(LearnMethod::kPaper)}})
+                      .description(""))
+      ->type_name("radial|linear|paper");
+  command
+      ->add_option("--context", options.context,
+                   "Principal components of the whole body that every part sees; 0: none, and linear systems")
+      ->check(number_in(0, 100))
+      ->capture_default_str();
+  command->add_option("--centres", options.radial.centres, "Most basis functions of a radial model")
+      ->check(number_in(1, 5000))
+      ->capture_default_str();
+  command->add_option("--width", options.radial.width, "Their width, in distances of an example to its nearest centre")
+      ->check(number_in(0.01, 100.0))
+      ->capture_default_str();
+  command->add_option("--shrinkage", options.radial.ridge, "Of a radial model's weights")
+      ->check(number_in(1e-9, 1e6))
+      ->capture_default_str();
   command->add_option("--max-order", options.identification.max_order, "Largest number of states tried per joint")
       ->check(number_in(0, 20))
       ->capture_default_str();

@@ -99,7 +99,7 @@ class PairAligner {
     const int lead_in = lead_in_frames(options_, examples_.frame_rate);
     FrameMatrix input(lead_in + u.rows(), u.cols());
     input << lead_in_rows(clip, pair.input_frames.begin, lead_in), u;
-    return {pair.input_clip, std::move(input), std::move(output)};
+    return {pair.input_clip, pair.output_clip, pair.input_frames, std::move(input), std::move(output)};
   }
 
   const Examples& examples_;

@@ -13,8 +13,10 @@ namespace strut::learn {
 
 /// One pair in the input's time.
 struct AlignedPair {
-  int input_clip = 0;  ///< pairs of one clip are left out together
-  FrameMatrix input;   ///< lead-in, then the pair (frames x dofs)
+  int input_clip = 0;  ///< index into the examples' clips
+  int output_clip = 0;
+  FrameRange input_frames;  ///< of the input clip
+  FrameMatrix input;        ///< lead-in, then the pair (frames x dofs)
   FrameMatrix output;  ///< the pair alone (frames x dofs + 1): the last column is the log of the differential time warp
 };
 

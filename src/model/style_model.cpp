@@ -23,9 +23,9 @@ void check_dofs(const StyleBlock& block, const std::vector<int>& dofs, int syste
   }
 }
 
-void check_block(const StyleBlock& block, int num_dofs, std::vector<bool>& given) {
-  check_dofs(block, block.input_dofs, block.system.num_inputs(), num_dofs, "inputs");
-  check_dofs(block, block.output_dofs, block.system.num_outputs(), num_dofs + 1, "outputs");
+void check_block(const StyleBlock& block, int num_inputs, std::vector<bool>& given) {
+  check_dofs(block, block.input_dofs, block.system.num_inputs(), num_inputs, "inputs");
+  check_dofs(block, block.output_dofs, block.system.num_outputs(), static_cast<int>(given.size()), "outputs");
   for (const int dof : block.output_dofs) {
     if (given[static_cast<std::size_t>(dof)]) {
       throw InvalidArgument("block '" + block.name + "'", "outputs of its own",
@@ -55,7 +55,14 @@ StyleModel::StyleModel(StyleModelParts parts) : parts_(std::move(parts)) {
   check_size("input_scaling", num_dofs(), parts_.input_scaling.num_dofs());
   check_size("output_scaling", num_dofs() + 1, parts_.output_scaling.num_dofs());
   std::vector<bool> given(static_cast<std::size_t>(num_dofs()) + 1, false);
-  for (const StyleBlock& block : parts_.blocks) check_block(block, num_dofs(), given);
+  if (parts_.context.rows() == 0) parts_.context.resize(0, num_dofs());
+  check_size("context", num_dofs(), static_cast<int>(parts_.context.cols()));
+  if (!parts_.context.allFinite()) throw InvalidArgument("context", "finite numbers", "NaN or infinity");
+  const auto contexts = static_cast<int>(parts_.context.rows());
+  for (const StyleBlock& block : parts_.blocks) check_block(block, num_dofs() + contexts, given);
+  if (!parts_.radial_map) return;
+  if (!parts_.blocks.empty()) throw InvalidArgument("blocks", "none beside a radial map", "some");
+  check_radial_map(*parts_.radial_map, num_dofs(), contexts);
 }
 
 int StyleModel::num_states() const noexcept {

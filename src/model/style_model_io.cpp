@@ -17,7 +17,8 @@ namespace fb = model::fb;
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr int kFormatVersion = 1;
+constexpr int kFormatVersion = 2;
+constexpr int kOldestVersion = 1;  // had neither context nor radial map
 
 fb::Quaternion to_fb(const Eigen::Quaterniond& q) {
   return {q.w(), q.x(), q.y(), q.z()};
@@ -56,6 +57,13 @@ Offset<fb::Block> write_block(FlatBufferBuilder& out, const StyleBlock& block) {
                          out.CreateVector(block.output_dofs), block.system.num_states(), numbers(out, block.system.a()),
                          numbers(out, block.system.b()), numbers(out, block.system.c()),
                          numbers(out, block.system.d()));
+}
+
+Offset<fb::RadialMap> write_radial_map(FlatBufferBuilder& out, const std::optional<RadialMap>& map) {
+  if (!map) return 0;
+  return fb::CreateRadialMap(out, out.CreateVector(map->lags), map->basis.width(), numbers(out, map->basis.centres()),
+                             numbers(out, map->input), numbers(out, map->output), map->smoothing,
+                             numbers(out, map->spread), numbers(out, map->share), map->fast);
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::string& found) {
@@ -120,6 +128,30 @@ StyleBlock read_block(const fb::Block& block, const std::string& name) {
            matrix_of(*block.c(), outputs, states, name), matrix_of(*block.d(), outputs, inputs, name)}};
 }
 
+Eigen::MatrixXd read_context(const fb::StyleModel& root, const std::string& name) {
+  const auto dofs = static_cast<Eigen::Index>(root.input()->mean()->size());
+  if (root.context() == nullptr || dofs == 0) return {};
+  return matrix_of(*root.context(), static_cast<Eigen::Index>(root.context()->size()) / dofs, dofs, name);
+}
+
+std::optional<RadialMap> read_radial_map(const fb::StyleModel& root, const std::string& name) {
+  const fb::RadialMap* map = root.radial_map();
+  if (map == nullptr) return std::nullopt;
+  const auto dofs = static_cast<Eigen::Index>(root.input()->mean()->size());
+  if (dofs == 0 || map->input()->size() == 0) refuse(name, "an empty map");
+  const auto centres = static_cast<Eigen::Index>(map->input()->size()) / dofs;
+  if (centres == 0) refuse(name, "an empty map");
+  const auto features = static_cast<Eigen::Index>(map->centres()->size()) / centres;
+  return RadialMap{{map->lags()->begin(), map->lags()->end()},
+                   {matrix_of(*map->centres(), features, centres, name), map->width()},
+                   matrix_of(*map->input(), dofs, centres, name),
+                   matrix_of(*map->output(), dofs + 1, centres, name),
+                   map->smoothing(),
+                   vector_of(*map->spread(), name),
+                   map->fast(),
+                   vector_of(*map->share(), name)};
+}
+
 std::shared_ptr<const StyleModel> read_model(const fb::StyleModel& root, const std::string& name) {
   const auto skeleton = read_skeleton(root);
   StyleModelParts parts{root.frame_rate(),
@@ -127,7 +159,9 @@ std::shared_ptr<const StyleModel> read_model(const fb::StyleModel& root, const s
                         read_representation(root, *root.output(), skeleton, name),
                         {vector_of(*root.input()->mean(), name), vector_of(*root.input()->scale(), name)},
                         {vector_of(*root.output()->mean(), name), vector_of(*root.output()->scale(), name)},
+                        read_context(root, name),
                         {},
+                        read_radial_map(root, name),
                         root.provenance()->str()};
   for (const fb::Block* block : *root.blocks()) parts.blocks.push_back(read_block(*block, name));
   return std::make_shared<const StyleModel>(std::move(parts));
@@ -152,7 +186,8 @@ std::shared_ptr<const StyleModel> parse_style_model(std::string_view bytes, cons
   flatbuffers::Verifier verifier(data, bytes.size());
   if (!fb::VerifyStyleModelBuffer(verifier)) refuse(name, "damaged or truncated bytes");
   const fb::StyleModel& root = *fb::GetStyleModel(data);
-  if (root.version() != kFormatVersion) throw VersionError(name, root.version(), kFormatVersion);
+  if (root.version() < kOldestVersion || root.version() > kFormatVersion)
+    throw VersionError(name, root.version(), kFormatVersion);
   try {
     return read_model(root, name);
   } catch (const InvalidArgument& error) {
@@ -176,7 +211,8 @@ std::string format_style_model(const StyleModel& model) {
   fb::FinishStyleModelBuffer(
       out, fb::CreateStyleModel(out, kFormatVersion, model.frame_rate(), out.CreateVector(joints),
                                 model.input().travel_joint(), &upright, input, output, out.CreateVector(blocks),
-                                out.CreateString(model.provenance())));
+                                out.CreateString(model.provenance()), numbers(out, model.context()),
+                                write_radial_map(out, model.radial_map())));
   return {reinterpret_cast<const char*>(out.GetBufferPointer()), out.GetSize()};
 }
 

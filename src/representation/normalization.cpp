@@ -13,6 +13,8 @@ constexpr double kLeastAngle = 0.5 * std::numbers::pi / 180.0;  // [rad]
 constexpr double kLeastLength = 0.01;                           // [m]
 constexpr double kOneHertz = 2.0 * std::numbers::pi;            // [rad/s]
 
+}  // namespace
+
 double least_deviation(Eigen::Index dof) {
   switch (dof) {
     case kSidewaysVelocity:
@@ -26,8 +28,6 @@ double least_deviation(Eigen::Index dof) {
       return kLeastAngle;
   }
 }
-
-}  // namespace
 
 Normalization::Normalization(Eigen::VectorXd mean, Eigen::VectorXd scale)
     : mean_(std::move(mean)), scale_(std::move(scale)) {

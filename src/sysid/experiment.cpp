@@ -47,9 +47,12 @@ void check_experiments(const std::vector<Experiment>& experiments) {
 FitSum::FitSum(int num_outputs) : sum_(Eigen::ArrayXd::Zero(num_outputs)), sum_squares_(sum_), sum_errors_(sum_) {}
 
 void FitSum::add(const Experiment& experiment, const FrameMatrix& simulated) {
-  const auto wanted = experiment.output.bottomRows(experiment.num_fitted());
-  const auto error = wanted - simulated.bottomRows(experiment.num_fitted());
-  frames_ += experiment.num_fitted();
+  add(experiment.output.bottomRows(experiment.num_fitted()), simulated.bottomRows(experiment.num_fitted()));
+}
+
+void FitSum::add(const Eigen::Ref<const FrameMatrix>& wanted, const Eigen::Ref<const FrameMatrix>& simulated) {
+  const auto error = wanted - simulated;
+  frames_ += static_cast<double>(wanted.rows());
   sum_ += wanted.colwise().sum().transpose().array();
   sum_squares_ += wanted.colwise().squaredNorm().transpose().array();
   sum_errors_ += error.colwise().squaredNorm().transpose().array();

@@ -7,7 +7,7 @@
 #include <strut/motion/resample.h>
 #include <strut/representation/extrapolation.h>
 #include <strut/representation/representation.h>
-#include <strut/translate/retime.h>
+#include <strut/representation/retime.h>
 #include <strut/translate/signal_translator.h>
 #include <strut/translate/strength.h>
 #include <strut/translate/translate_motion.h>
@@ -56,7 +56,7 @@ Motion translate_motion(const std::shared_ptr<const StyleModel>& model, const Mo
   const FrameMatrix translated = translate_signal(model, representation::encode(model->input(), source), options);
   const Eigen::Index dofs = model->num_dofs();
   const FrameMatrix pose_rows = translated.leftCols(dofs);
-  const FrameMatrix rows = options.retime ? translate::retime(pose_rows, translated.col(dofs)) : pose_rows;
+  const FrameMatrix rows = options.retime ? representation::retime(pose_rows, translated.col(dofs)) : pose_rows;
   const auto start = representation::placement(representation::pelvis_world(source.skeleton(), source.frame(0)),
                                                model->input().upright());
   const Motion result = representation::decode(model->output(), rows, model->frame_rate(), start,

@@ -59,7 +59,7 @@ constexpr double kShortestStretch = 0.2;
 
 /// How stretches are matched.
 struct PairingOptions {
-  int neighbours = 2;           ///< style stretches that every input stretch is paired with, >= 1
+  int neighbours = 6;           ///< style stretches that every input stretch is paired with, >= 1
   bool whole = false;           ///< pair whole clips even where they travel
   double turning_scale = 0.35;  ///< difference in turning that counts as 1 [rad], > 0
   double speed_weight = 0.5;    ///< of speed, in standard deviations of each style's own speeds, >= 0

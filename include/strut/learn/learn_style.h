@@ -16,7 +16,28 @@
 
 namespace strut {
 
+/// What kind of model is learnt.
+enum class LearnMethod {
+  kRadial,  ///< a radial map of the whole body's context, with each joint's own detail on it
+  kLinear,  ///< a linear system per joint: a regularized one that sees the context, or the subspace method's on the
+            ///< joint's own inputs, whichever predicts left-out clips better
+  kPaper,   ///< as in the paper: N4SID per joint, order by the largest gap, all matrices from the estimated states
+};
+
+/// How a radial map is fitted.
+struct RadialOptions {
+  int centres = 150;   ///< at most; a quarter of the examples' frames if that is fewer
+  double width = 2.0;  ///< of the basis functions, in distances of an example to its nearest centre, above 0
+  double ridge = 0.1;  ///< shrinkage of the weights, above 0 (sysid::fit_weights)
+  int lags = 3;        ///< contexts seen at once, 1 or more
+  double lag = 0.1;    ///< time from one to the next [s]
+};
+
 struct LearnOptions {
+  LearnMethod method = LearnMethod::kRadial;
+  int context = 8;  ///< principal components of the whole body's input that every part sees; 0 for none, which leaves
+                    ///< linear systems only
+  RadialOptions radial{};
   align::IterativeMotionWarpingOptions alignment{};  ///< its slope_limit is each pair's own
   double time_warp_smoothing = 0.1;                  ///< reach of the smoothing of the differential warp [s]
   double lead_in = 1.0;                              ///< input before each pair that the model runs over first [s]
@@ -29,7 +50,7 @@ struct LearnOptions {
 /// What identification found for one block of the model.
 struct BlockReport {
   std::string name;           ///< joint, "root" or "timing"
-  int states = 0;             ///< order chosen
+  int states = 0;             ///< order chosen; 0 in a radial map
   double left_out_fit = 0.0;  ///< fit of simulated to real output on pairs left out [%]; 100 is perfect, 0 the mean
   double fit = 0.0;           ///< the same on the pairs learnt from [%]
 };
@@ -47,7 +68,7 @@ struct LearnReport {
   Range speed;                            ///< mean over a pair, input style [m/s]
   Range turning_rate;                     ///< mean over a pair, input style [rad/s], positive to the left
   double duration_ratio = 1.0;            ///< output over input, mean over pairs
-  std::vector<BlockReport> blocks;        ///< in the model's order
+  std::vector<BlockReport> blocks;        ///< in the model's order; of a radial map, in the body's
   std::vector<std::string> untranslated;  ///< joints that move in the output style but hardly in the input style
 };
 

@@ -2,9 +2,11 @@
 // A learnt style: everything the runtime needs to put it on new motion, and where it came from. Immutable and shared.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <strut/model/radial_map.h>
 #include <strut/representation/normalization.h>
 #include <strut/representation/representation.h>
 #include <strut/sysid/lti_system.h>
@@ -15,7 +17,7 @@ namespace strut {
 /// linear system from some normalized degrees of freedom of the input to some of the output.
 struct StyleBlock {
   std::string name;             ///< the joint's name, "root", or "timing"
-  std::vector<int> input_dofs;  ///< columns of the input representation (inputs)
+  std::vector<int> input_dofs;  ///< columns of the input representation, then num_dofs() + k for context k (inputs)
   std::vector<int>
       output_dofs;          ///< columns of the output representation (outputs); StyleModel::time_warp_dof() included
   sysid::LtiSystem system;  ///< in normalized units
@@ -28,7 +30,10 @@ struct StyleModelParts {
   representation::Representation output;         ///< of the output style; same hierarchy
   representation::Normalization input_scaling;   ///< (num_dofs)
   representation::Normalization output_scaling;  ///< (num_dofs + 1): the last is the log of the differential time warp
+  Eigen::MatrixXd context;                       ///< what the whole body does: (contexts x num_dofs), of the
+                                                 ///< normalized input; no rows where nothing asks for it
   std::vector<StyleBlock> blocks;                ///< no output degree of freedom in two of them
+  std::optional<RadialMap> radial_map;           ///< in place of blocks
   std::string provenance;                        ///< JSON: files, hashes, options, figures on left-out clips
 };
 
@@ -36,7 +41,7 @@ struct StyleModelParts {
 class StyleModel {
  public:
   /// Throws InvalidArgument if sizes do not agree, a block names a degree of freedom that does not exist or that
-  /// another block gives, or a system is not stable (spectral radius 1 or more).
+  /// another block gives, a system is not stable (spectral radius 1 or more), or there are blocks beside a radial map.
   explicit StyleModel(StyleModelParts parts);
 
   [[nodiscard]] const Skeleton& skeleton() const noexcept { return parts_.input.skeleton(); }
@@ -45,6 +50,8 @@ class StyleModel {
   [[nodiscard]] const representation::Representation& output() const noexcept { return parts_.output; }
   [[nodiscard]] const representation::Normalization& input_scaling() const noexcept { return parts_.input_scaling; }
   [[nodiscard]] const representation::Normalization& output_scaling() const noexcept { return parts_.output_scaling; }
+  [[nodiscard]] const Eigen::MatrixXd& context() const noexcept { return parts_.context; }
+  [[nodiscard]] const std::optional<RadialMap>& radial_map() const noexcept { return parts_.radial_map; }
   [[nodiscard]] const std::vector<StyleBlock>& blocks() const noexcept { return parts_.blocks; }
   [[nodiscard]] const std::string& provenance() const noexcept { return parts_.provenance; }
 

@@ -32,9 +32,13 @@ class Normalization {
   Eigen::VectorXd mean_, scale_;
 };
 
+/// A deviation of degree of freedom `dof` that is no more than noise: half a degree or a centimetre (for velocities:
+/// what a swing of that size at one hertz has) [units of the dof].
+double least_deviation(Eigen::Index dof);
+
 /// Mean and standard deviation over all rows of `signals` (each frames x dofs of representation.h). A degree of freedom
-/// whose deviation is below half a degree or a centimetre is dropped (for velocities: below what a swing of that size
-/// at one hertz has). Throws InvalidArgument if there is no row or a number is not finite. Cost O(frames x dofs).
+/// whose deviation is below least_deviation is dropped. Throws InvalidArgument if there is no row or a number is not
+/// finite. Cost O(frames x dofs).
 Normalization fit_normalization(const std::vector<FrameMatrix>& signals);
 
 }  // namespace strut::representation

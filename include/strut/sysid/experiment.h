@@ -35,6 +35,8 @@ class FitSum {
   explicit FitSum(int num_outputs);
   /// Adds the clip after its lead-in. `simulated` (frames x outputs) covers the lead-in too.
   void add(const Experiment& experiment, const FrameMatrix& simulated);
+  /// The same of signals alone (frames x outputs).
+  void add(const Eigen::Ref<const FrameMatrix>& wanted, const Eigen::Ref<const FrameMatrix>& simulated);
   /// The mean over outputs [%]; an output that does not vary counts only if none does: then 100 without error, else 0.
   [[nodiscard]] double fit() const;
   /// The fit of each output [%]; of one that does not vary 100 without error, else 0.

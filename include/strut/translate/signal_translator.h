@@ -3,15 +3,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include <strut/model/radial_step.h>
 #include <strut/model/style_model.h>
 
 namespace strut::translate {
 
-/// Runs a style model's linear systems frame by frame. Holds the states, which start at zero.
+/// Runs a style model, its linear systems or its radial map, frame by frame. Holds the states, which start at rest.
 class SignalTranslator {
  public:
   /// Throws InvalidArgument if `model` is null.
@@ -21,7 +23,7 @@ class SignalTranslator {
   /// representation's, the last element being the logarithm of the differential time warp. No allocation.
   void step(const Eigen::Ref<const Eigen::RowVectorXd>& input, Eigen::Ref<Eigen::RowVectorXd> output);
 
-  /// Back to the zero state.
+  /// Back to rest.
   void reset();
 
   [[nodiscard]] const StyleModel& model() const noexcept { return *model_; }
@@ -31,7 +33,11 @@ class SignalTranslator {
     Eigen::VectorXd state, scratch, input, output;
   };
   std::shared_ptr<const StyleModel> model_;
+  void step_blocks(Eigen::Ref<Eigen::RowVectorXd> output);
+
   std::vector<BlockState> blocks_;
+  std::optional<RadialStep> radial_;
+  Eigen::VectorXd inputs_;  // normalized; the contexts last
 };
 
 }  // namespace strut::translate

@@ -7,11 +7,11 @@
 
 #include <strut/math/frame_matrix.h>
 
-namespace strut::translate {
+namespace strut::representation {
 
 /// `rows` (frames x dofs), frame i lasting exp(log_time_warp[i]) output frames -> rows at whole output frames, the
 /// first and last input frame's centres at the ends. Throws InvalidArgument if sizes differ, there is no frame, or a
 /// warp is not finite. Cost O((frames + output frames) x dofs).
 FrameMatrix retime(const Eigen::Ref<const FrameMatrix>& rows, const Eigen::Ref<const Eigen::VectorXd>& log_time_warp);
 
-}  // namespace strut::translate
+}  // namespace strut::representation

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <strut/core/error.h>
-#include <strut/translate/retime.h>
+#include <strut/representation/retime.h>
 
-namespace strut::translate {
+namespace strut::representation {
 namespace {
 
 FrameMatrix ramp(int frames) {
@@ -42,4 +42,4 @@ TEST(Retime, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace strut::translate
+}  // namespace strut::representation

@@ -4,9 +4,9 @@
 
 #include <strut/core/error.h>
 #include <strut/math/sampling.h>
-#include <strut/translate/retime.h>
+#include <strut/representation/retime.h>
 
-namespace strut::translate {
+namespace strut::representation {
 namespace {
 
 /// When each input frame's centre comes [output frames], the first at 0.
@@ -46,4 +46,4 @@ FrameMatrix retime(const Eigen::Ref<const FrameMatrix>& rows, const Eigen::Ref<c
   return math::sample_rows(rows, invert(output_times(warp)));
 }
 
-}  // namespace strut::translate
+}  // namespace strut::representation
