@@ -278,9 +278,8 @@ LearntStyle learn_limp(const Folder& folder, const Examples& normal, const Examp
                   normal.motions.size(), limping.motions.size()));
   facts.push_back(fmt::format("They were cut into gait cycles and matched by speed and turning: {} pairs (pairs.toml).",
                               pairing.pairs.size()));
-  facts.push_back(
-      fmt::format("The limp was learnt from {} pairs in {:.1f} s: a linear system of {} states (limp.strut).",
-                  learnt.report.num_pairs, seconds, learnt.model->num_states()));
+  facts.push_back(fmt::format("The limp was learnt from {} pairs in {:.1f} s: a radial map of {} centres (limp.strut).",
+                              learnt.report.num_pairs, seconds, learnt.report.num_centres));
   return learnt;
 }
 

@@ -28,6 +28,17 @@ Json blocks_as_json(const StyleModel& model) {
   return blocks;
 }
 
+/// Nothing where the model is linear systems.
+Json radial_map_as_json(const StyleModel& model) {
+  const auto& map = model.radial_map();
+  if (!map) return nullptr;
+  return {{"num_centres", map->basis.num_centres()},
+          {"width", map->basis.width()},
+          {"lags_frames", map->lags},
+          {"smoothing_frames", map->smoothing},
+          {"fast_detail", map->fast}};
+}
+
 void print_sources(const Json& provenance) {
   for (const char* side : {"inputs", "outputs"}) {
     if (!provenance.is_object() || !provenance.contains(side) || !provenance[side].is_array()) continue;
@@ -45,6 +56,8 @@ Json model_as_json(const std::string& path, const StyleModel& model) {
           {"kind", "style model"},
           {"frame_rate", model.frame_rate()},
           {"num_joints", model.skeleton().num_joints()},
+          {"num_contexts", model.context().rows()},
+          {"radial_map", radial_map_as_json(model)},
           {"num_states", model.num_states()},
           {"blocks", blocks_as_json(model)},
           {"provenance", provenance_of(model)}};
@@ -60,8 +73,7 @@ void print_model(const std::string& path, const StyleModel& model) {
   if (report) {
     print_report(*report, model);
   } else {
-    fmt::print("  {} states in {} blocks; it does not say how it was learnt\n", model.num_states(),
-               model.blocks().size());
+    fmt::print("  {}; it does not say how it was learnt\n", model_in_words(model));
   }
 }
 

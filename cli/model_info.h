@@ -10,8 +10,8 @@
 
 namespace strut::cli {
 
-/// Frame rate, joints, blocks with their orders, and the model's provenance (files, options, figures on left-out
-/// pairs).
+/// Frame rate, joints, the radial map or the blocks with their orders, and the model's provenance (files, options,
+/// figures on left-out pairs).
 nlohmann::ordered_json model_as_json(const std::string& path, const StyleModel& model);
 
 /// The same for a person, on standard output.

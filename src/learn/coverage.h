@@ -2,17 +2,20 @@
 // Says in plain words what the examples cover and what they do not.
 #pragma once
 
+#include "learn/examples.h"
+#include "learn/pair_alignment.h"
+
 #include <vector>
 
 #include <strut/core/diagnostics.h>
-#include <strut/learn/learn_style.h>
+#include <strut/learn/learn_report.h>
 
 namespace strut::learn {
 
-/// Fills in the report's ranges of speed and turning over the pairs of `signals` (the input clips in the
-/// representation, frames x dofs), and warns about what is missing: little motion, one speed, no turning or turning to
-/// one side only, joints that the input hardly moves, joints whose left-out fit is poor.
-void report_coverage(const std::vector<FrameMatrix>& signals, const std::vector<ClipPair>& pairs, LearnReport& report,
+/// Fills in what the report says of the pairs `aligned`, which were learnt from: clips, speeds, turning, durations, how
+/// many could be left out. Warns about what is missing: little motion, one speed, no turning or turning to one side
+/// only, joints that the input hardly moves, recordings too few to leave one out.
+void report_coverage(const Examples& examples, const std::vector<AlignedPair>& aligned, LearnReport& report,
                      Diagnostics* diagnostics);
 
 }  // namespace strut::learn

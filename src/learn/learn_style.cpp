@@ -60,7 +60,6 @@ void calibrate_timing(const std::vector<AlignedPair>& aligned, const std::vector
   mean[dof] += std::log(real / predicted);
   parts.output_scaling = {std::move(mean), parts.output_scaling.scale()};
   report.duration_ratio = real / input_frames;
-  report.seconds = input_frames / parts.frame_rate;
 }
 
 void check_options(const LearnOptions& options) {
@@ -135,6 +134,7 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
                         {}};
   if (options.method == LearnMethod::kRadial && context.rows() > 0) {
     learn::LearntRadialMap learnt = learn::learn_radial_map(examples, aligned, normalized, scalings, options.radial);
+    report.num_centres = learnt.map.basis.num_centres();
     parts.radial_map = std::move(learnt.map);
     report.blocks = std::move(learnt.blocks);
     calibrate_timing(aligned, learnt.timing, parts, report);
@@ -147,7 +147,7 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
     calibrate_timing(aligned, timing_of(parts.blocks, normalized), parts, report);
   }
 
-  learn::report_coverage(examples.input.clips, examples.pairs, report, diagnostics);
+  learn::report_coverage(examples, aligned, report, diagnostics);
   parts.provenance = provenance ? provenance(report) : "{}";
   return {std::make_shared<const StyleModel>(std::move(parts)), std::move(report)};
 }

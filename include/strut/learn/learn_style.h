@@ -10,6 +10,7 @@
 #include <strut/align/iterative_motion_warping.h>
 #include <strut/core/diagnostics.h>
 #include <strut/learn/clip_pair.h>
+#include <strut/learn/learn_report.h>
 #include <strut/model/style_model.h>
 #include <strut/motion/motion.h>
 #include <strut/sysid/identify.h>
@@ -45,31 +46,6 @@ struct LearnOptions {
   /// Of every block; its max_radius follows from longest_memory.
   sysid::IdentifyOptions identification{.max_order = 8, .ridge = 0.003};
   double frame_rate = 0.0;  ///< [frames/s] clips are resampled to; 0: the first input clip's
-};
-
-/// What identification found for one block of the model.
-struct BlockReport {
-  std::string name;           ///< joint, "root" or "timing"
-  int states = 0;             ///< order chosen; 0 in a radial map
-  double left_out_fit = 0.0;  ///< fit of simulated to real output on pairs left out [%]; 100 is perfect, 0 the mean
-  double fit = 0.0;           ///< the same on the pairs learnt from [%]
-};
-
-/// The least and greatest of something.
-struct Range {
-  double least = 0.0, greatest = 0.0;
-};
-
-/// What was learnt and from what.
-struct LearnReport {
-  int num_pairs = 0;                      ///< pairs learnt from
-  int num_refused = 0;                    ///< pairs whose alignment was refused
-  double seconds = 0.0;                   ///< of paired input [s]
-  Range speed;                            ///< mean over a pair, input style [m/s]
-  Range turning_rate;                     ///< mean over a pair, input style [rad/s], positive to the left
-  double duration_ratio = 1.0;            ///< output over input, mean over pairs
-  std::vector<BlockReport> blocks;        ///< in the model's order; of a radial map, in the body's
-  std::vector<std::string> untranslated;  ///< joints that move in the output style but hardly in the input style
 };
 
 struct LearntStyle {
