@@ -65,7 +65,7 @@ TEST(Pairing, CutsWalksIntoCyclesAndKeepsTheRestWhole) {
 TEST(Pairing, GivesEveryCycleItsNearestOfTheSameFootByTurning) {
   const std::vector<Motion> inputs = {walk(1.0, 0.0), walk(1.0, 0.6), walk(1.0, -0.6)};
   const std::vector<Motion> outputs = {walk(0.6, -0.5), walk(0.6, 0.0), walk(0.6, 0.5)};
-  const Pairing pairing = find_pairs(inputs, outputs);
+  const Pairing pairing = find_pairs(inputs, outputs, {.neighbours = 2});
   EXPECT_EQ(pairing.pairs.size(), 2 * pairing.inputs.size());
   EXPECT_TRUE(pairing.refused.empty());
   EXPECT_TRUE(pairing.uncovered.empty());

@@ -53,6 +53,8 @@ StyleModelParts copying_parts(const Motion& clip, double log_time_warp) {
                         {Eigen::VectorXd::Zero(dofs), Eigen::VectorXd::Ones(dofs)},
                         {output_mean, Eigen::VectorXd::Ones(dofs + 1)},
                         {},
+                        {},
+                        {},
                         R"({"made": "by hand"})"};
   for (int d = 0; d < dofs; ++d) {
     parts.blocks.push_back(
