@@ -11,6 +11,9 @@ namespace {
 constexpr double kOutOfReach = 1e-6;
 // A detail of so many deviations of the examples' is taken for half the performer's own.
 constexpr double kUnusual = 3.0;
+// What lies farther out, in deviations, is as far: squares stay finite and are forgotten in time, whatever comes.
+constexpr double kFarthestContext = 1e6;
+constexpr double kLargestDetail = 1e3;
 // How long a detail must last to stand out, and where slow detail ends and fast detail begins [s].
 constexpr double kLevelTime = 0.5;
 constexpr double kSlowTime = 0.1;
@@ -66,8 +69,8 @@ void RadialStep::step(const Eigen::Ref<const Eigen::RowVectorXd>& input,
 
 void RadialStep::look_up(const Eigen::VectorXd& context) {
   const RadialMap& map = *model_->radial_map();
-  history_.col(newest_) = context;
-  if (!started_) history_.colwise() = context;
+  history_.col(newest_) = context.cwiseMax(-kFarthestContext).cwiseMin(kFarthestContext);
+  for (Eigen::Index t = 0; !started_ && t < history_.cols(); ++t) history_.col(t) = history_.col(newest_);
   for (std::size_t l = 0; l < map.lags.size(); ++l) {
     const Eigen::Index frame = (newest_ + history_.cols() - map.lags[l]) % history_.cols();
     features_.segment(static_cast<Eigen::Index>(l) * context.size(), context.size()) = history_.col(frame);
@@ -93,7 +96,7 @@ void RadialStep::measure_details(const Eigen::Ref<const Eigen::RowVectorXd>& inp
       details_(i, column) = input[dof] - from.mean()[dof] - from.scale()[dof] * input_style_[dof];
       squares += details_(i, column) * details_(i, column) / (map.spread[dof] * map.spread[dof]);
     }
-    const double energy = squares / static_cast<double>(parts_[p].size);
+    const double energy = std::min(squares / static_cast<double>(parts_[p].size), kLargestDetail * kLargestDetail);
     next_energy_[column] = started_ ? energy_[column] + level_gain_ * (energy - energy_[column]) : energy;
   }
 }

@@ -66,6 +66,34 @@ StyleModelParts copying_parts(const Motion& clip, double log_time_warp) {
   return parts;
 }
 
+RadialMap some_radial_map(int num_dofs, int centres) {
+  constexpr int kContexts = 2;
+  const std::vector<int> lags = {0, 3};
+  const auto some = [](Eigen::Index rows, Eigen::Index cols, double size, double phase) -> Eigen::MatrixXd {
+    return Eigen::MatrixXd::NullaryExpr(
+        rows, cols, [&](auto r, auto c) { return size * std::sin(phase + 1.3 * double(r) + 2.9 * double(c)); });
+  };
+  return {.lags = lags,
+          .basis = {some(kContexts * std::ssize(lags), centres, 0.5, 0.1), 0.3},
+          .input = some(num_dofs, centres, 0.2, 0.2),
+          .output = some(num_dofs + 1, centres, 0.2, 0.3),
+          .smoothing = 0.7,
+          .spread = Eigen::VectorXd::LinSpaced(num_dofs, 0.1, 0.2),
+          .fast = 0.4,
+          .share = Eigen::VectorXd::LinSpaced(num_dofs, 0.2, 0.6)};
+}
+
+StyleModelParts radial_parts(const Motion& clip, int centres) {
+  StyleModelParts parts = copying_parts(clip);
+  const int dofs = parts.input.num_dofs();
+  parts.blocks.clear();
+  parts.context = Eigen::MatrixXd::Zero(2, dofs);
+  parts.context(0, representation::kNumRootDofs) = 1.0;
+  parts.context(1, representation::kHeight) = parts.context(1, dofs - 1) = 0.5;
+  parts.radial_map = some_radial_map(dofs, centres);
+  return parts;
+}
+
 double largest_difference(const Motion& a, const Motion& b) {
   double largest = a.num_frames() == b.num_frames() ? 0.0 : 1e9;
   for (int t = 0; t < std::min(a.num_frames(), b.num_frames()); ++t) {

@@ -24,6 +24,12 @@ inline std::shared_ptr<const StyleModel> copying_model(const Motion& clip, doubl
   return std::make_shared<const StyleModel>(copying_parts(clip, log_time_warp));
 }
 
+/// A map of `centres` centres over two contexts, now and three frames ago, its numbers of no meaning but all different.
+RadialMap some_radial_map(int num_dofs, int centres);
+
+/// The copying model's parts with two contexts and a radial map in place of its blocks.
+StyleModelParts radial_parts(const Motion& clip, int centres = 5);
+
 /// The largest distance between joints [m] and between joint rotations (sine of half the angle) of two motions.
 double largest_difference(const Motion& a, const Motion& b);
 
