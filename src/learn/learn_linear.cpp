@@ -120,7 +120,8 @@ class BlockIdentifier {
     if (options.method == LearnMethod::kPaper) {
       subspace_.weighting = sysid::Weighting::kN4sid;
       subspace_.order_rule = sysid::OrderRule::kGap;
-      subspace_.input_matrices = sysid::InputMatrices::kStates;
+      // B and D from the simulated output: from the estimated states, on single gait cycles, no cell comes nearer.
+      subspace_.input_matrices = sysid::InputMatrices::kSimulation;
       subspace_.max_radius = kBarelyStable;
     } else {
       subspace_.max_radius = std::exp(-1.0 / (options.longest_memory * frame_rate));

@@ -22,12 +22,12 @@ enum class LearnMethod {
   kRadial,  ///< a radial map of the whole body's context, with each joint's own detail on it
   kLinear,  ///< a linear system per joint: a regularized one that sees the context, or the subspace method's on the
             ///< joint's own inputs, whichever predicts left-out clips better
-  kPaper,   ///< as in the paper: N4SID per joint, order by the largest gap, all matrices from the estimated states
+  kPaper,   ///< as in the paper: N4SID per joint on its own inputs, order by the largest gap of the singular values
 };
 
 /// How a radial map is fitted.
 struct RadialOptions {
-  int centres = 150;   ///< at most; a quarter of the examples' frames if that is fewer
+  int centres = 400;   ///< at most; a quarter of the examples' frames if that is fewer
   double width = 2.0;  ///< of the basis functions, in distances of an example to its nearest centre, above 0
   double ridge = 0.1;  ///< shrinkage of the weights, above 0 (sysid::fit_weights)
   int lags = 3;        ///< contexts seen at once, 1 or more
@@ -36,7 +36,7 @@ struct RadialOptions {
 
 struct LearnOptions {
   LearnMethod method = LearnMethod::kRadial;
-  int context = 8;  ///< principal components of the whole body's input that every part sees; 0 for none, which leaves
+  int context = 16;  ///< principal components of the whole body's input that every part sees; 0 for none, which leaves
                     ///< linear systems only
   RadialOptions radial{};
   align::IterativeMotionWarpingOptions alignment{};  ///< its slope_limit is each pair's own
