@@ -40,7 +40,7 @@ int main() {
 
     // 3. Learn; keep the model as a file.
     const strut::LearntStyle learnt = strut::learn_style(inputs, outputs, pairing.pairs);
-    std::printf("%d states\n", learnt.model->num_states());
+    std::printf("%d centres\n", learnt.report.num_centres);
     strut::write_style_model("limp.strut", *learnt.model, strut::Overwrite::kAllow);
 
     // 4. Put the limp on a walk that learning has not seen.
