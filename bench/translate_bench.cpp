@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the runtime costs per frame: a limp learnt from generated walks (21 joints, about 70 states), put on a walk at
-// the model's 30 frames/s. Items are frames: the paper reports 10,000 frames/s for 98 states, the model step alone.
+// What learning and the runtime cost: a limp from generated walks (21 joints), as a radial map (the default: 150
+// centres, 24 features) and as linear systems, put on a walk at the model's 30 frames/s. Items are frames: the paper
+// reports 10,000 frames/s for 98 states, the model step alone.
 #include <memory>
 #include <vector>
 
@@ -13,6 +14,8 @@
 
 namespace {
 
+using strut::LearnMethod;
+using strut::LearntStyle;
 using strut::Motion;
 
 constexpr double kRate = 30.0;
@@ -27,46 +30,57 @@ struct Examples {
   std::vector<strut::learn::ClipPair> pairs;
 };
 
-Examples examples() {
-  Examples all;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    all.inputs.push_back(walk(0.9 + 0.1 * static_cast<double>(seed), 0.0, seed));
-    all.outputs.push_back(walk(0.9 + 0.1 * static_cast<double>(seed), 0.8, seed + 100));
-  }
-  all.pairs = strut::learn::find_pairs(all.inputs, all.outputs).pairs;
-  return all;
-}
-
-const std::shared_ptr<const strut::StyleModel>& model() {
-  static const auto learnt = [] {
-    const Examples all = examples();
-    return strut::learn_style(all.inputs, all.outputs, all.pairs).model;
+const Examples& examples() {
+  static const Examples made = [] {
+    Examples all;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      all.inputs.push_back(walk(0.9 + 0.1 * static_cast<double>(seed), 0.0, seed));
+      all.outputs.push_back(walk(0.9 + 0.1 * static_cast<double>(seed), 0.8, seed + 100));
+    }
+    all.pairs = strut::learn::find_pairs(all.inputs, all.outputs).pairs;
+    return all;
   }();
-  return learnt;
+  return made;
 }
 
-void LearnStyle(benchmark::State& state) {
-  const Examples all = examples();
-  for (auto _ : state) benchmark::DoNotOptimize(strut::learn_style(all.inputs, all.outputs, all.pairs));
-  state.counters["pairs"] = static_cast<double>(all.pairs.size());
+LearntStyle learn(LearnMethod method) {
+  const Examples& all = examples();
+  return strut::learn_style(all.inputs, all.outputs, all.pairs, {.method = method});
 }
-BENCHMARK(LearnStyle)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void ModelStep(benchmark::State& state) {
-  strut::translate::SignalTranslator translator(model());
-  const strut::FrameMatrix rows = strut::representation::encode(model()->input(), walk(1.2, 0.0, 50));
-  Eigen::RowVectorXd output(model()->num_dofs() + 1);
+/// What is stepped: each learnt once.
+const LearntStyle& learnt(LearnMethod method) {
+  static const LearntStyle radial = learn(LearnMethod::kRadial);
+  static const LearntStyle linear = learn(LearnMethod::kLinear);
+  return method == LearnMethod::kRadial ? radial : linear;
+}
+
+void set_size(benchmark::State& state, const LearntStyle& style) {
+  state.counters["centres"] = style.report.num_centres;
+  state.counters["states"] = style.model->num_states();
+}
+
+void LearnStyle(benchmark::State& state, LearnMethod method) {
+  const auto pairs = static_cast<double>(examples().pairs.size());
+  for (auto _ : state) benchmark::DoNotOptimize(learn(method));
+  state.counters["pairs"] = pairs;
+}
+
+void ModelStep(benchmark::State& state, LearnMethod method) {
+  const LearntStyle& style = learnt(method);
+  strut::translate::SignalTranslator translator(style.model);
+  const strut::FrameMatrix rows = strut::representation::encode(style.model->input(), walk(1.2, 0.0, 50));
+  Eigen::RowVectorXd output(style.model->num_dofs() + 1);
   for (auto _ : state) {
     for (Eigen::Index t = 0; t < rows.rows(); ++t) translator.step(rows.row(t), output);
     benchmark::DoNotOptimize(output.data());
   }
   state.SetItemsProcessed(state.iterations() * rows.rows());
-  state.counters["states"] = model()->num_states();
+  set_size(state, style);
 }
-BENCHMARK(ModelStep);
 
-void TranslatorPush(benchmark::State& state) {
-  strut::Translator translator(model());
+void TranslatorPush(benchmark::State& state, LearnMethod method) {
+  strut::Translator translator(learnt(method).model);
   const Motion clip = walk(1.2, 0.0, 50);
   strut::Pose output;
   for (auto _ : state) {
@@ -75,13 +89,21 @@ void TranslatorPush(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * clip.num_frames());
 }
-BENCHMARK(TranslatorPush);
 
-void TranslateMotion(benchmark::State& state) {
+void TranslateMotion(benchmark::State& state, LearnMethod method) {
   const Motion clip = walk(1.2, 0.0, 50, 10.0);
-  for (auto _ : state) benchmark::DoNotOptimize(strut::translate_motion(model(), clip));
+  for (auto _ : state) benchmark::DoNotOptimize(strut::translate_motion(learnt(method).model, clip));
   state.SetItemsProcessed(state.iterations() * clip.num_frames());
 }
-BENCHMARK(TranslateMotion);
+
+BENCHMARK_CAPTURE(LearnStyle, radial, LearnMethod::kRadial)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(LearnStyle, linear, LearnMethod::kLinear)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(LearnStyle, paper, LearnMethod::kPaper)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(ModelStep, radial, LearnMethod::kRadial);
+BENCHMARK_CAPTURE(ModelStep, linear, LearnMethod::kLinear);
+BENCHMARK_CAPTURE(TranslatorPush, radial, LearnMethod::kRadial);
+BENCHMARK_CAPTURE(TranslatorPush, linear, LearnMethod::kLinear);
+BENCHMARK_CAPTURE(TranslateMotion, radial, LearnMethod::kRadial);
+BENCHMARK_CAPTURE(TranslateMotion, linear, LearnMethod::kLinear);
 
 }  // namespace
