@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The whole upper row of the paper's Figure 3 on generated walks, whose true answers are known.
-#include <algorithm>
+#include "learn/example_walks.h"
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -21,43 +22,14 @@ namespace {
 
 using generate::generate_walk;
 using generate::WalkContent;
-using generate::WalkStyle;
+using test::Clips;
+using test::content;
+using test::learn_from;
+using test::limping;
+using test::make_clips;
+using test::varied_clips;
 
-constexpr double kRate = 30.0;
-
-WalkContent content(double speed, double turn_rate, double duration = 6.0) {
-  return {.duration = duration, .speed = speed, .turn_rate = turn_rate};
-}
-
-WalkStyle limping(std::uint64_t seed) {
-  return {.cadence_scale = 0.85, .crouch = 0.05, .torso_lean = 0.2, .limp = 0.8, .seed = seed};
-}
-
-struct Clips {
-  std::vector<Motion> inputs, outputs;
-  std::vector<learn::ClipPair> pairs;
-};
-
-Clips make_clips(const std::vector<WalkContent>& contents, double rate = kRate) {
-  Clips clips;
-  std::uint64_t seed = 1;
-  for (const WalkContent& walk : contents) {
-    clips.inputs.push_back(generate_walk(walk, {.seed = seed++}, rate).motion);
-    clips.outputs.push_back(generate_walk(walk, limping(seed++), rate).motion);
-  }
-  clips.pairs = learn::find_pairs(clips.inputs, clips.outputs).pairs;
-  return clips;
-}
-
-const Clips& varied_clips() {
-  static const Clips clips = make_clips({content(1.0, 0.0), content(1.3, 0.0), content(1.5, 0.0), content(1.2, 0.4),
-                                         content(1.2, -0.4), content(1.4, 0.2), content(1.4, -0.2)});
-  return clips;
-}
-
-LearntStyle learn_from(const Clips& clips, const LearnOptions& options = {}, Diagnostics* diagnostics = nullptr) {
-  return learn_style(clips.inputs, clips.outputs, clips.pairs, options, {}, diagnostics);
-}
+constexpr double kRate = test::kExampleRate;
 
 std::string warnings(const Diagnostics& diagnostics) {
   std::string text;
