@@ -3,6 +3,10 @@
 #include "support/program.h"
 #include "support/walks.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,9 +26,11 @@ class LearnCommand : public testing::Test {
     write_clip(here_.file("normal.bvh"), normal_);
     write_clip(here_.file("limp.bvh"), limp_);
   }
-  ProgramResult learn(const std::string& list) {
+  ProgramResult learn(const std::string& list, const std::vector<std::string>& options = {}) {
     write_file(here_.file("pairs.toml"), list, Overwrite::kAllow);
-    return here_.run(STRUT_PROGRAM, {"learn", "@pairs.toml", "-o", "@limp.strut"});
+    std::vector<std::string> arguments{"learn", "@pairs.toml", "-o", "@limp.strut", "--force"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return here_.run(STRUT_PROGRAM, arguments);
   }
   [[nodiscard]] bool made_nothing() const {
     const auto found = here_.entries();
@@ -46,6 +52,28 @@ TEST_F(LearnCommand, LearnsFromASinglePairAndWarns) {
   EXPECT_THAT(result.out, HasSubstr("learnt from 1 pair"));
   EXPECT_THAT(result.err, HasSubstr("warning:"));
   EXPECT_EQ(read_style_model(here_.file("limp.strut"))->frame_rate(), 30.0);
+}
+
+TEST_F(LearnCommand, MakesTheKindOfModelItIsTold) {
+  struct Kind {
+    std::vector<std::string> options;
+    bool is_radial;
+    int contexts;
+  };
+  for (const auto& [options, is_radial, contexts] :
+       {Kind{{"--context", "4", "--centres", "9", "--width", "3", "--shrinkage", "0.2"}, true, 4},
+        Kind{{"--method", "radial", "--context", "0", "--max-order", "2"}, false, 0},
+        Kind{{"--method", "linear", "--context", "2", "--max-order", "2"}, false, 2},
+        Kind{{"--method", "paper"}, false, 0}}) {
+    const ProgramResult result = learn(of("normal.bvh", "limp.bvh"), options);
+    ASSERT_EQ(result.exit_code, 0) << options[1] << result.err;
+    const auto model = read_style_model(here_.file("limp.strut"));
+    EXPECT_EQ(model->radial_map().has_value(), is_radial) << options[1];
+    EXPECT_EQ(model->blocks().empty(), is_radial) << options[1];
+    EXPECT_EQ(model->context().rows(), contexts) << options[1];
+    EXPECT_EQ(is_radial ? model->radial_map()->basis.num_centres() : 9, 9) << options[1];
+    EXPECT_THAT(model->provenance(), HasSubstr("\"method\":"));
+  }
 }
 
 TEST_F(LearnCommand, RefusesPairsTooShortAndNamesThem) {
