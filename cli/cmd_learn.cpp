@@ -51,7 +51,7 @@ std::string method_name(LearnMethod method) {
 json describe_options(const LearnOptions& options) {
   return {{"scale_smoothness", options.alignment.space.scale_smoothness},
           {"offset_smoothness", options.alignment.space.offset_smoothness},
-          {"time_warp_smoothing", options.time_warp_smoothing},
+          {"time_warp_smoothing", options.time_warp_smoothing ? json(*options.time_warp_smoothing) : json("chosen")},
           {"lead_in", options.lead_in},
           {"method", method_name(options.method)},
           {"context", options.context},
@@ -151,9 +151,10 @@ void add_learn(CLI::App& app) {
       ->add_option("--smoothness", options.alignment.space.scale_smoothness, "Weight of smoothness in the space warp")
       ->check(not_negative())
       ->capture_default_str();
-  command->add_option("--time-smoothing", options.time_warp_smoothing, "Reach of the time warp's smoothing [s]")
-      ->check(number_in(0.0, 10.0))
-      ->capture_default_str();
+  command
+      ->add_option("--time-smoothing", options.time_warp_smoothing,
+                   "Reach of the time warp's smoothing [s] (default: chosen on left-out pairs)")
+      ->check(number_in(0.0, 10.0));
   command->add_option("--frame-rate", options.frame_rate, "Frames per second of the model; 0: the first input clip's")
       ->check(number_in(0, 1000))
       ->capture_default_str();

@@ -68,7 +68,7 @@ void check_options(const LearnOptions& options) {
       throw InvalidArgument(name, "a number of at least " + std::to_string(least), std::to_string(value));
     }
   };
-  check("time_warp_smoothing", options.time_warp_smoothing, 0.0);
+  check("time_warp_smoothing", options.time_warp_smoothing.value_or(0.0), 0.0);
   check("lead_in", options.lead_in, 0.0);
   check("longest_memory", options.longest_memory, 0.01);
   check("frame_rate", options.frame_rate, 0.0);

@@ -2,6 +2,8 @@
 // Symbols of the paper: u input signal, y output signal, w differential time warp.
 #include "learn/pair_alignment.h"
 
+#include "learn/time_warp_smoothing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -54,46 +56,53 @@ class PairAligner {
         input_scaling_(representation::fit_normalization(examples.input.clips)),
         output_scaling_(representation::fit_normalization(examples.output.clips)) {}
 
-  /// The pair in the input's time, or nothing and a warning.
-  std::optional<AlignedPair> align(const ClipPair& pair, Diagnostics& diagnostics) const {
+  /// The pair's time warp, not yet smoothed, or nothing and a warning.
+  std::optional<PairWarp> align(const ClipPair& pair, Diagnostics& diagnostics) const {
     if (is_too_short(pair.input_frames, examples_.frame_rate) ||
         is_too_short(pair.output_frames, examples_.frame_rate)) {
       diagnostics.warn(name_of(pair), "left out: it lasts less than 0.2 s");
       return std::nullopt;
     }
-    const FrameMatrix& clip = examples_.input.clips[static_cast<std::size_t>(pair.input_clip)];
-    const FrameMatrix u = rows_of(clip, pair.input_frames);
-    const FrameMatrix y =
-        rows_of(examples_.output.clips[static_cast<std::size_t>(pair.output_clip)], pair.output_frames);
+    align::IterativeMotionWarpingOptions options = options_.alignment;
+    options.slope_limit = slope_limit_of(pair);
     try {
-      const int slope_limit = std::max(pair.slope_limit, 2);  // 0: durations too far apart, which aligning will say
-      const align::Correspondence correspondence = correspond(u, y, slope_limit);
-      const Eigen::VectorXd& w = correspondence.differential_warp;
-      const double at_limit = align::share_at_slope_limit(w, slope_limit);
-      if (at_limit <= kLargestShareAtLimit) return warped(pair, clip, u, y, correspondence);
-      diagnostics.warn(name_of(pair), "left out: its alignment runs along the slope limit for " +
-                                          std::to_string(std::lround(100.0 * at_limit)) + " % of its length");
+      return PairWarp{&pair, align::iterative_motion_warping(
+                                 alignment_features(input_of(pair), input_scaling_, output_scaling_),
+                                 alignment_features(output_of(pair), output_scaling_, input_scaling_), options)
+                                 .correspondence.differential_warp};
     } catch (const InvalidArgument& error) {
       diagnostics.warn(name_of(pair), std::string("left out: ") + error.what());
     }
     return std::nullopt;
   }
 
- private:
-  [[nodiscard]] align::Correspondence correspond(const FrameMatrix& u, const FrameMatrix& y, int slope_limit) const {
-    align::IterativeMotionWarpingOptions options = options_.alignment;
-    options.slope_limit = slope_limit;
-    align::Correspondence correspondence =
-        align::iterative_motion_warping(alignment_features(u, input_scaling_, output_scaling_),
-                                        alignment_features(y, output_scaling_, input_scaling_), options)
-            .correspondence;
-    const double reach = options_.time_warp_smoothing * examples_.frame_rate;
-    correspondence.differential_warp = align::smooth_differential_warp(correspondence.differential_warp, reach * reach);
-    return correspondence;
+  /// The pair in the input's time, its warp smoothed over `reach` [s], or nothing and a warning.
+  std::optional<AlignedPair> warp(const PairWarp& found, double reach, Diagnostics& diagnostics) const {
+    const ClipPair& pair = *found.pair;
+    const double frames = reach * examples_.frame_rate;
+    const align::Correspondence correspondence{
+        align::smooth_differential_warp(found.differential_warp, frames * frames)};
+    const double at_limit = align::share_at_slope_limit(correspondence.differential_warp, slope_limit_of(pair));
+    if (at_limit <= kLargestShareAtLimit) return warped(pair, correspondence);
+    diagnostics.warn(name_of(pair), "left out: its alignment runs along the slope limit for " +
+                                        std::to_string(std::lround(100.0 * at_limit)) + " % of its length");
+    return std::nullopt;
   }
 
-  [[nodiscard]] AlignedPair warped(const ClipPair& pair, const FrameMatrix& clip, const FrameMatrix& u,
-                                   const FrameMatrix& y, const align::Correspondence& correspondence) const {
+ private:
+  /// 0 in a pair says that its durations are too far apart, which aligning will say.
+  static int slope_limit_of(const ClipPair& pair) { return std::max(pair.slope_limit, 2); }
+
+  [[nodiscard]] FrameMatrix input_of(const ClipPair& pair) const {
+    return rows_of(examples_.input.clips[static_cast<std::size_t>(pair.input_clip)], pair.input_frames);
+  }
+  [[nodiscard]] FrameMatrix output_of(const ClipPair& pair) const {
+    return rows_of(examples_.output.clips[static_cast<std::size_t>(pair.output_clip)], pair.output_frames);
+  }
+
+  [[nodiscard]] AlignedPair warped(const ClipPair& pair, const align::Correspondence& correspondence) const {
+    const FrameMatrix& clip = examples_.input.clips[static_cast<std::size_t>(pair.input_clip)];
+    const FrameMatrix u = input_of(pair), y = output_of(pair);
     FrameMatrix output(u.rows(), y.cols() + 1);
     output << align::warp_to_input(y, correspondence), correspondence.differential_warp.array().log().matrix();
     const int lead_in = lead_in_frames(options_, examples_.frame_rate);
@@ -117,7 +126,7 @@ std::vector<AlignedPair> align_pairs(const Examples& examples, const LearnOption
                                      const Progress& progress) {
   const PairAligner aligner(examples, options);
   const std::size_t count = examples.pairs.size();
-  std::vector<std::optional<AlignedPair>> found(count);
+  std::vector<std::optional<PairWarp>> found(count);
   std::vector<Diagnostics> reports(count);
   std::mutex mutex;
   int done = 0;
@@ -126,9 +135,16 @@ std::vector<AlignedPair> align_pairs(const Examples& examples, const LearnOption
     const std::lock_guard<std::mutex> lock(mutex);
     if (progress) progress("aligning pairs", ++done, static_cast<int>(count));
   });
+  std::vector<PairWarp> warps;
+  for (const std::optional<PairWarp>& warp : found) {
+    if (warp) warps.push_back(*warp);
+  }
+  const double reach = options.time_warp_smoothing.value_or(choose_time_warp_smoothing(warps, examples.frame_rate));
   std::vector<AlignedPair> aligned;
   for (std::size_t i = 0; i < count; ++i) {
-    if (found[i]) aligned.push_back(std::move(*found[i]));
+    if (found[i]) {
+      if (auto pair = aligner.warp(*found[i], reach, reports[i])) aligned.push_back(std::move(*pair));
+    }
     if (diagnostics != nullptr) diagnostics->append(reports[i]);
   }
   if (aligned.empty()) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,11 @@ struct RadialOptions {
 struct LearnOptions {
   LearnMethod method = LearnMethod::kRadial;
   int context = 16;  ///< principal components of the whole body's input that every part sees; 0 for none, which leaves
-                    ///< linear systems only
+                     ///< linear systems only
   RadialOptions radial{};
   align::IterativeMotionWarpingOptions alignment{};  ///< its slope_limit is each pair's own
-  double time_warp_smoothing = 0.1;                  ///< reach of the smoothing of the differential warp [s]
+  std::optional<double> time_warp_smoothing{};       ///< reach of the smoothing of the differential warp [s]; chosen on
+                                                     ///< left-out pairs if empty
   double lead_in = 1.0;                              ///< input before each pair that the model runs over first [s]
   double longest_memory = 0.3;                       ///< slowest decay a block's states may have, to 1/e [s]
   /// Of every block; its max_radius follows from longest_memory.
