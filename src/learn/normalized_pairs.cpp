@@ -2,6 +2,7 @@
 #include "learn/normalized_pairs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Eigenvalues>
 

@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <strut/core/error.h>
 #include <strut/sysid/radial_basis.h>
