@@ -139,7 +139,8 @@ std::vector<AlignedPair> align_pairs(const Examples& examples, const LearnOption
   for (const std::optional<PairWarp>& warp : found) {
     if (warp) warps.push_back(*warp);
   }
-  const double reach = options.time_warp_smoothing.value_or(choose_time_warp_smoothing(warps, examples.frame_rate));
+  const double reach = options.time_warp_smoothing ? *options.time_warp_smoothing
+                                                   : choose_time_warp_smoothing(warps, examples.frame_rate);
   std::vector<AlignedPair> aligned;
   for (std::size_t i = 0; i < count; ++i) {
     if (found[i]) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -189,6 +190,15 @@ TEST(LearnMethods, DoNotDependOnTheNumberOfThreads) {
   }
 }
 
+TEST(LearnMethods, SmoothTheTimeWarpAsToldOrATenthOfASecondWhereNothingShowsHow) {
+  const Clips clips = short_clips();  // one pair: no other warp of its stretch to predict
+  const auto model_with = [&](std::optional<double> smoothing) {
+    return format_style_model(*learn_from(clips, {.time_warp_smoothing = smoothing}).model);
+  };
+  EXPECT_EQ(model_with(std::nullopt), model_with(0.1));
+  EXPECT_NE(model_with(std::nullopt), model_with(0.3));
+}
+
 TEST(LearnMethods, RefuseOptionsOutOfRange) {
   const Clips clips = short_clips();
   const auto refusal = [&](const LearnOptions& options) -> std::string {
@@ -199,6 +209,8 @@ TEST(LearnMethods, RefuseOptionsOutOfRange) {
     }
     return "accepted";
   };
+  EXPECT_EQ(refusal({.time_warp_smoothing = -1.0}),
+            "time_warp_smoothing: expected a number of at least 0.000000, got -1.000000");
   EXPECT_EQ(refusal({.context = -1}), "context: expected a number of at least 0.000000, got -1.000000");
   EXPECT_EQ(refusal({.radial = {.centres = 0}}),
             "radial.centres: expected a number of at least 1.000000, got 0.000000");
