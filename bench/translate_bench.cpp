@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What learning and the runtime cost: a limp from generated walks (21 joints), as a radial map (the default: 150
-// centres, 24 features) and as linear systems, put on a walk at the model's 30 frames/s. Items are frames: the paper
+// What learning and the runtime cost: a limp from generated walks (21 joints), as a radial map (the default: 400
+// centres, 48 features) and as linear systems, put on a walk at the model's 30 frames/s. Items are frames: the paper
 // reports 10,000 frames/s for 98 states, the model step alone.
 #include <memory>
 #include <vector>
