@@ -78,15 +78,17 @@ void print_fits(const LearnReport& report) {
   }
 }
 
-/// `Spine (12 %), Head (15 %)`; of many parts the first few.
-std::string listed(const std::vector<BlockReport>& blocks, const auto& figure) {
+/// `Spine (12 %), Head (15 %)`; of many parts the first few, and where it is every part of the body, that.
+std::string listed(const std::vector<BlockReport>& blocks, std::size_t all, const auto& figure) {
   constexpr std::size_t kMost = 6;
   if (blocks.empty()) return "none";
   std::string text;
   for (std::size_t i = 0; i < std::min(blocks.size(), kMost); ++i) {
     text += (i == 0 ? "" : ", ") + fmt::format("{} ({})", blocks[i].name, figure(blocks[i]));
   }
-  return blocks.size() > kMost ? fmt::format("{} and {} more", text, blocks.size() - kMost) : text;
+  if (blocks.size() <= kMost) return text;
+  return blocks.size() == all ? "every part, most of all " + text
+                              : fmt::format("{} and {} more", text, blocks.size() - kMost);
 }
 
 void print_what_is_missing(const LearnReport& report) {
@@ -97,10 +99,10 @@ void print_what_is_missing(const LearnReport& report) {
     return;
   }
   fmt::print("predicted poorly, below {:.0f} % on pairs left out: {}\n", learn::kPoorFit,
-             listed(learn::poorly_predicted(report),
+             listed(learn::poorly_predicted(report), report.blocks.size(),
                     [](const BlockReport& block) { return fmt::format("{:.0f} %", block.left_out_fit); }));
   fmt::print("another take would help, more than {:.0f} points lost on pairs left out: {}\n", learn::kFitLostToNews,
-             listed(learn::short_of_takes(report), [](const BlockReport& block) {
+             listed(learn::short_of_takes(report), report.blocks.size(), [](const BlockReport& block) {
                return fmt::format("{:.0f} to {:.0f} %", block.fit, block.left_out_fit);
              }));
 }

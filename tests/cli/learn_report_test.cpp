@@ -103,6 +103,27 @@ TEST(ModelInfo, ReadsReportsFromBeforeRadialMaps) {
                                 HasSubstr("left out: Spine (60 to 12 %)"), Not(HasSubstr("stretches"))));
 }
 
+TEST(ModelInfo, NamesTheFirstOfManyPartsAndSaysIfItIsAll) {
+  const Workplace here;
+  const auto info = [&](int short_of_takes) {
+    Json report = Json::parse(R"({"pairs":8,"pairs_refused":0,"seconds":9.0,"speed":[0.8,1.3],)"
+                              R"("turning_rate":[-0.1,0.1],"duration_ratio":0.9,"blocks":[]})");
+    for (int k = 0; k < 8; ++k) {
+      const double left_out = k < short_of_takes ? 40.0 - k : 60.0;
+      report["blocks"].push_back(
+          {{"name", "j" + std::to_string(k)}, {"states", 0}, {"left_out_fit", left_out}, {"fit", 60.0}});
+    }
+    StyleModelParts parts = copying_parts(turning_motion(30.0, 1.0));
+    parts.provenance = Json{{"report", report}}.dump();
+    write_style_model(here.file("many.strut"), StyleModel(std::move(parts)), Overwrite::kAllow);
+    return here.run(STRUT_PROGRAM, {"info", "@many.strut"}).out;
+  };
+  EXPECT_THAT(info(7), HasSubstr("left out: j6 (60 to 34 %), j5 (60 to 35 %), j4 (60 to 36 %), j3 (60 to 37 %), "
+                                 "j2 (60 to 38 %), j1 (60 to 39 %) and 1 more\n"));
+  EXPECT_THAT(info(8), HasSubstr("left out: every part, most of all j7 (60 to 33 %), "));
+  EXPECT_THAT(info(0), HasSubstr("left out: none\n"));
+}
+
 TEST(ModelInfo, TellsAModelWithoutAReportFromOneWith) {
   const Workplace here;
   write_style_model(here.file("made.strut"), *copying_model(turning_motion(30.0, 1.0)));
