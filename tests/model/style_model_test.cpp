@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/small_model.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,6 +40,27 @@ TEST(StyleModel, RefusesPartsThatDoNotFit) {
   EXPECT_THAT(refusal([](StyleModelParts& parts) { parts.blocks[1].output_dofs[0] = 0; }), testing::HasSubstr("again"));
   EXPECT_THAT(refusal([](StyleModelParts& parts) { parts.output_scaling = parts.input_scaling; }),
               testing::HasSubstr("output_scaling"));
+}
+
+TEST(StyleModel, RefusesContextsAndMapsThatDoNotFit) {
+  EXPECT_EQ(refusal([](StyleModelParts& parts) { parts.context = Eigen::MatrixXd::Zero(2, 3); }),
+            "context: expected 18 degrees of freedom, got 3");
+  EXPECT_EQ(refusal([](StyleModelParts& parts) { parts.context = Eigen::MatrixXd::Constant(1, 18, NAN); }),
+            "context: expected finite numbers, got NaN or infinity");
+  EXPECT_EQ(refusal([](StyleModelParts& parts) { parts.blocks[0].input_dofs[0] = 18; }),
+            "block 'root sideways velocity' inputs: expected degrees of freedom below 18, got 18");
+  EXPECT_EQ(refusal([](StyleModelParts& parts) {
+              parts.context = Eigen::MatrixXd::Ones(1, 18);
+              parts.blocks[0].input_dofs[0] = 18;  // context 0
+            }),
+            "accepted");
+  EXPECT_EQ(refusal([](StyleModelParts& parts) { parts.radial_map = test::some_radial_map(18, 3); }),
+            "blocks: expected none beside a radial map, got some");
+  EXPECT_EQ(refusal([](StyleModelParts& parts) {
+              parts.blocks.clear();
+              parts.radial_map = test::some_radial_map(18, 3);
+            }),
+            "basis: expected 0 features, got 4");
 }
 
 TEST(StyleModel, RefusesUnstableSystems) {
