@@ -43,9 +43,15 @@ Eigen::MatrixXd features_of(const FrameMatrix& input, Eigen::Index num_dofs, con
 
 /// A stretch of input that one or more pairs share.
 struct InputStretch {
-  Eigen::MatrixXd features;     // (features x frames)
-  Eigen::MatrixXd activations;  // (centres x frames)
-  Eigen::MatrixXd input;        // normalized (dofs x frames)
+  Eigen::MatrixXd features;  // (features x frames)
+  Eigen::MatrixXd input;     // normalized (dofs x frames)
+};
+
+/// A map fitted to some of the pairs, and its functions on all.
+struct Fitted {
+  sysid::RadialBasis basis;
+  std::vector<Eigen::MatrixXd> activations;  // per stretch (centres x frames)
+  Eigen::MatrixXd weights;                   // of output (dofs + 1) above input (dofs)
 };
 
 /// Sums of squares and products of details on left-out pairs, in the units of the degrees of freedom.
@@ -72,21 +78,22 @@ class RadialLearner {
         lags_(lags_in_frames(options, examples.frame_rate)),
         parts_(detail_parts(examples.input.representation, examples.output.representation)) {
     find_stretches(aligned);
-    basis_.emplace(fit_basis());
-    tbb::parallel_for(std::size_t{0}, stretches_.size(), [&](std::size_t s) {
-      stretches_[s].activations = sysid::activations(*basis_, stretches_[s].features);
-    });
   }
 
   LearntRadialMap learn(const sysid::LeaveOut& rounds) {
-    const Eigen::MatrixXd weights = fit(std::vector<Role>(pairs_.size(), Role::kLearn));
-    const auto [details, left_out_fits] = judge(rounds, weights);
-    RadialMap map{
-        lags_, *basis_,          weights.bottomRows(dofs_), weights.topRows(dofs_ + 1), 0.0, spread_of(details),
-        0.0,   share_of(details)};
+    const Fitted fitted = fit(std::vector<Role>(pairs_.size(), Role::kLearn));
+    const auto [details, left_out_fits] = judge(rounds, fitted);
+    RadialMap map{lags_,
+                  fitted.basis,
+                  fitted.weights.bottomRows(dofs_),
+                  fitted.weights.topRows(dofs_ + 1),
+                  0.0,
+                  spread_of(details),
+                  0.0,
+                  share_of(details)};
     std::vector<Eigen::VectorXd> timing;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) timing.emplace_back(predict(weights, i).col(dofs_));
-    return {std::move(map), block_reports(left_out_fits, fits_of(weights)), std::move(timing)};
+    for (std::size_t i = 0; i < pairs_.size(); ++i) timing.emplace_back(predict(fitted, i).col(dofs_));
+    return {std::move(map), block_reports(left_out_fits, fits_of(fitted)), std::move(timing)};
   }
 
  private:
@@ -100,28 +107,29 @@ class RadialLearner {
       if (!is_new) continue;
       const Eigen::Index frames = pair.output.rows();
       stretches_.push_back({features_of(pairs_[i].input, dofs_, lags_, frames),
-                            {},
                             pairs_[i].input.bottomRows(frames).leftCols(dofs_).transpose()});
     }
   }
 
-  [[nodiscard]] sysid::RadialBasis fit_basis() const {
+  /// Over the stretches that `counts` has pairs of: a basis that stood on what is left out would know where it is, and
+  /// nothing of it.
+  [[nodiscard]] sysid::RadialBasis fit_basis(const std::vector<double>& counts) const {
     constexpr int kFramesPerCentre = 4;
     Eigen::Index frames = 0;
-    for (const InputStretch& stretch : stretches_) frames += stretch.features.cols();
+    for (std::size_t s = 0; s < counts.size(); ++s) frames += counts[s] > 0.0 ? stretches_[s].features.cols() : 0;
     Eigen::MatrixXd all(stretches_.front().features.rows(), frames);
     Eigen::Index column = 0;
-    for (const InputStretch& stretch : stretches_) {
-      all.middleCols(column, stretch.features.cols()) = stretch.features;
-      column += stretch.features.cols();
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+      if (counts[s] == 0.0) continue;
+      all.middleCols(column, stretches_[s].features.cols()) = stretches_[s].features;
+      column += stretches_[s].features.cols();
     }
     const int centres = std::min(options_.centres, std::max(1, static_cast<int>(frames) / kFramesPerCentre));
     return sysid::fit_radial_basis(all, centres, options_.width);
   }
 
-  /// Weights of output (dofs + 1) above input (dofs), from the pairs that are to be learnt from.
-  [[nodiscard]] Eigen::MatrixXd fit(const std::vector<Role>& roles) const {
-    RadialSums sums(basis_->num_centres(), 2 * dofs_ + 1);
+  /// From the pairs that are to be learnt from, of which there is one.
+  [[nodiscard]] Fitted fit(const std::vector<Role>& roles) const {
     std::vector<double> counts(stretches_.size(), 0.0);
     std::vector<Eigen::MatrixXd> outputs(stretches_.size());
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -131,27 +139,34 @@ class RadialLearner {
       output += pairs_[i].output.transpose();
       counts[stretch_of_[i]] += 1.0;
     }
+    Fitted fitted{fit_basis(counts), std::vector<Eigen::MatrixXd>(stretches_.size()), {}};
+    tbb::parallel_for(std::size_t{0}, stretches_.size(), [&](std::size_t s) {
+      fitted.activations[s] = sysid::activations(fitted.basis, stretches_[s].features);
+    });
+    RadialSums sums(fitted.basis.num_centres(), 2 * dofs_ + 1);
     for (std::size_t s = 0; s < stretches_.size(); ++s) {
       if (counts[s] == 0.0) continue;
       Eigen::MatrixXd targets(2 * dofs_ + 1, outputs[s].cols());
       targets << outputs[s] / counts[s], stretches_[s].input;
-      sums.add(stretches_[s].activations, targets, counts[s]);
+      sums.add(fitted.activations[s], targets, counts[s]);
     }
-    return sysid::fit_weights(sums, options_.ridge);
+    fitted.weights = sysid::fit_weights(sums, options_.ridge);
+    return fitted;
   }
 
-  [[nodiscard]] FrameMatrix predict(const Eigen::MatrixXd& weights, std::size_t pair) const {
-    return (weights.topRows(dofs_ + 1) * stretches_[stretch_of_[pair]].activations).transpose();
+  [[nodiscard]] FrameMatrix predict(const Fitted& fitted, std::size_t pair) const {
+    return (fitted.weights.topRows(dofs_ + 1) * fitted.activations[stretch_of_[pair]]).transpose();
   }
 
   /// Detail and fit on pairs left out; where no pair can be left out, on those learnt from.
-  [[nodiscard]] std::pair<DetailSums, Eigen::VectorXd> judge(const sysid::LeaveOut& rounds,
-                                                             const Eigen::MatrixXd& weights) const {
-    std::vector<Eigen::MatrixXd> of_round(rounds.rounds.size());
-    tbb::parallel_for(std::size_t{0}, of_round.size(), [&](std::size_t r) { of_round[r] = fit(rounds.rounds[r]); });
+  [[nodiscard]] std::pair<DetailSums, Eigen::VectorXd> judge(const sysid::LeaveOut& rounds, const Fitted& whole) const {
+    std::vector<std::optional<Fitted>> of_round(rounds.rounds.size());
+    tbb::parallel_for(std::size_t{0}, of_round.size(), [&](std::size_t r) {
+      if (learns(rounds.rounds[r])) of_round[r].emplace(fit(rounds.rounds[r]));
+    });
     DetailSums details(dofs_, parts_.size());
     std::vector<sysid::FitSum> sums(static_cast<std::size_t>(dofs_) + 1, sysid::FitSum(1));
-    const auto add = [&](std::size_t pair, const Eigen::MatrixXd& from) {
+    const auto add = [&](std::size_t pair, const Fitted& from) {
       const FrameMatrix predicted = predict(from, pair);
       for (Eigen::Index d = 0; d <= dofs_; ++d) {
         sums[static_cast<std::size_t>(d)].add(FrameMatrix(pairs_[pair].output.col(d)), FrameMatrix(predicted.col(d)));
@@ -160,11 +175,11 @@ class RadialLearner {
     };
     for (std::size_t r = 0; r < of_round.size(); ++r) {
       for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        if (rounds.rounds[r][i] == Role::kTest && learns(rounds.rounds[r])) add(i, of_round[r]);
+        if (rounds.rounds[r][i] == Role::kTest && of_round[r]) add(i, *of_round[r]);
       }
     }
     if (details.frames == 0.0) {
-      for (std::size_t i = 0; i < pairs_.size(); ++i) add(i, weights);
+      for (std::size_t i = 0; i < pairs_.size(); ++i) add(i, whole);
     }
     Eigen::VectorXd fits(dofs_ + 1);
     for (Eigen::Index d = 0; d <= dofs_; ++d) fits[d] = sums[static_cast<std::size_t>(d)].fit();
@@ -175,11 +190,11 @@ class RadialLearner {
     return std::find(roles.begin(), roles.end(), Role::kLearn) != roles.end();
   }
 
-  void add_details(std::size_t pair, const Eigen::MatrixXd& weights, const FrameMatrix& predicted,
-                   DetailSums& sums) const {
+  void add_details(std::size_t pair, const Fitted& fitted, const FrameMatrix& predicted, DetailSums& sums) const {
     const InputStretch& stretch = stretches_[stretch_of_[pair]];
     const Eigen::MatrixXd input =
-        scalings_.input.scale().asDiagonal() * (stretch.input - weights.bottomRows(dofs_) * stretch.activations);
+        scalings_.input.scale().asDiagonal() *
+        (stretch.input - fitted.weights.bottomRows(dofs_) * fitted.activations[stretch_of_[pair]]);
     const Eigen::MatrixXd output = (pairs_[pair].output - predicted).leftCols(dofs_).transpose();
     sums.input_squares += input.rowwise().squaredNorm();
     sums.frames += static_cast<double>(input.cols());
@@ -213,10 +228,10 @@ class RadialLearner {
     return share;
   }
 
-  [[nodiscard]] Eigen::VectorXd fits_of(const Eigen::MatrixXd& weights) const {
+  [[nodiscard]] Eigen::VectorXd fits_of(const Fitted& fitted) const {
     std::vector<sysid::FitSum> sums(static_cast<std::size_t>(dofs_) + 1, sysid::FitSum(1));
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const FrameMatrix predicted = predict(weights, i);
+      const FrameMatrix predicted = predict(fitted, i);
       for (Eigen::Index d = 0; d <= dofs_; ++d) {
         sums[static_cast<std::size_t>(d)].add(FrameMatrix(pairs_[i].output.col(d)), FrameMatrix(predicted.col(d)));
       }
@@ -264,7 +279,6 @@ class RadialLearner {
   std::vector<DetailPart> parts_;
   std::vector<InputStretch> stretches_;
   std::vector<std::size_t> stretch_of_;  // pairs
-  std::optional<sysid::RadialBasis> basis_;
 };
 
 }  // namespace
