@@ -10,7 +10,7 @@ namespace {
 // Activations below this add nothing that could be seen.
 constexpr double kOutOfReach = 1e-6;
 // A detail of so many deviations of the examples' is taken for half the performer's own.
-constexpr double kUnusual = 2.5;
+constexpr double kUnusual = 3.0;
 // What lies farther out, in deviations, is as far: squares stay finite and are forgotten in time, whatever comes.
 constexpr double kFarthestContext = 1e6;
 constexpr double kLargestDetail = 1e3;
