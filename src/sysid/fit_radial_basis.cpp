@@ -65,7 +65,10 @@ RadialBasis fit_radial_basis(const Eigen::Ref<const Eigen::MatrixXd>& features, 
 Eigen::MatrixXd activations(const RadialBasis& basis, const Eigen::Ref<const Eigen::MatrixXd>& features) {
   Eigen::MatrixXd result = relative_distances(basis.centres(), features);
   const Eigen::RowVectorXd nearest = result.colwise().minCoeff();
-  result = ((nearest.replicate(result.rows(), 1) - result) / (2.0 * basis.width() * basis.width())).array().exp();
+  const Eigen::RowVectorXd distances = (nearest + features.colwise().squaredNorm()).cwiseMax(0.0);
+  for (Eigen::Index t = 0; t < result.cols(); ++t) {
+    result.col(t) = ((nearest[t] - result.col(t).array()) / (2.0 * basis.squared_width(distances[t]))).exp();
+  }
   const Eigen::RowVectorXd sums = result.colwise().sum();
   return result * sums.cwiseInverse().asDiagonal();
 }

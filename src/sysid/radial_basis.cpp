@@ -23,7 +23,7 @@ void RadialBasis::activate(const Eigen::Ref<const Eigen::VectorXd>& features,
   for (Eigen::Index m = 0; m < activations.size(); ++m) activations[m] = (centres_.col(m) - features).squaredNorm();
   // Relative to the nearest: far from all centres every exponential would be zero.
   const double nearest = activations.minCoeff();
-  activations = ((nearest - activations.array()) / (2.0 * width_ * width_)).exp();
+  activations = ((nearest - activations.array()) / (2.0 * squared_width(nearest))).exp();
   activations /= activations.sum();
 }
 

@@ -38,7 +38,8 @@ RadialBasis on_a_line(double width) {
 
 TEST(RadialBasis, FollowsItsEquation) {
   const Eigen::Vector3d square_distances(0.25 + 4.0, 0.25 + 4.0, 6.25 + 4.0);  // of (0.5, 2)
-  const Eigen::Vector3d bells = (-square_distances / (2.0 * 0.49)).array().exp();
+  const double square_width = 0.49 + RadialBasis::kWidening * 4.25;
+  const Eigen::Vector3d bells = (-square_distances / (2.0 * square_width)).array().exp();
   EXPECT_LT((activated(on_a_line(0.7), Eigen::Vector2d(0.5, 2.0)) - bells / bells.sum()).norm(), kRounding);
 }
 
@@ -51,9 +52,20 @@ TEST(RadialBasis, SumsToOneWithNothingBelowZeroWhereverItIsAsked) {
   }
 }
 
-TEST(RadialBasis, GivesWhatTheNearestCentreDoesFarFromAll) {
-  EXPECT_LT((activated(on_a_line(0.5), Eigen::Vector2d(1e6, 0.0)) - Eigen::Vector3d(0, 0, 1)).norm(), kRounding);
-  EXPECT_LT((activated(on_a_line(0.5), Eigen::Vector2d(-1e6, 0.0)) - Eigen::Vector3d(1, 0, 0)).norm(), kRounding);
+TEST(RadialBasis, TakesTheMeanOfAllFarFromAll) {
+  // At a million, the centres' squared distances differ by 6e-6 of themselves: over 2 kWidening, 1e-4.
+  EXPECT_LT((activated(on_a_line(0.5), Eigen::Vector2d(1e6, 0.0)) - Eigen::Vector3d::Constant(1.0 / 3.0)).norm(), 1e-4);
+}
+
+TEST(RadialBasis, DoesNotSwitchBetweenCentresFarFromAll) {
+  // Half way between two centres and far off the line, a step of a width tips a basis of fixed width over.
+  const Eigen::VectorXd here = activated(on_a_line(0.1), Eigen::Vector2d(0.45, 10.0));
+  const Eigen::VectorXd there = activated(on_a_line(0.1), Eigen::Vector2d(0.55, 10.0));
+  EXPECT_LT((here - there).norm(), 0.05);
+  EXPECT_GT(
+      (activated(on_a_line(0.1), Eigen::Vector2d(0.45, 0.0)) - activated(on_a_line(0.1), Eigen::Vector2d(0.55, 0.0)))
+          .norm(),
+      0.5);
 }
 
 TEST(RadialBasis, OfOneCentreIsOne) {
