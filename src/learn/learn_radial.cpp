@@ -66,6 +66,29 @@ struct DetailSums {
         part_squares(products) {}
 };
 
+/// Fits of every degree of freedom by itself, pooled over pairs.
+class DofFits {
+ public:
+  explicit DofFits(Eigen::Index dofs) : sums_(static_cast<std::size_t>(dofs), sysid::FitSum(1)) {}
+
+  /// (frames x dofs) each.
+  void add(const FrameMatrix& wanted, const FrameMatrix& predicted) {
+    for (std::size_t d = 0; d < sums_.size(); ++d) {
+      const auto column = static_cast<Eigen::Index>(d);
+      sums_[d].add(FrameMatrix(wanted.col(column)), FrameMatrix(predicted.col(column)));
+    }
+  }
+
+  [[nodiscard]] Eigen::VectorXd fits() const {
+    Eigen::VectorXd fits(static_cast<Eigen::Index>(sums_.size()));
+    for (std::size_t d = 0; d < sums_.size(); ++d) fits[static_cast<Eigen::Index>(d)] = sums_[d].fit();
+    return fits;
+  }
+
+ private:
+  std::vector<sysid::FitSum> sums_;
+};
+
 class RadialLearner {
  public:
   RadialLearner(const Examples& examples, const std::vector<AlignedPair>& aligned,
@@ -165,12 +188,10 @@ class RadialLearner {
       if (learns(rounds.rounds[r])) of_round[r].emplace(fit(rounds.rounds[r]));
     });
     DetailSums details(dofs_, parts_.size());
-    std::vector<sysid::FitSum> sums(static_cast<std::size_t>(dofs_) + 1, sysid::FitSum(1));
+    DofFits fits(dofs_ + 1);
     const auto add = [&](std::size_t pair, const Fitted& from) {
       const FrameMatrix predicted = predict(from, pair);
-      for (Eigen::Index d = 0; d <= dofs_; ++d) {
-        sums[static_cast<std::size_t>(d)].add(FrameMatrix(pairs_[pair].output.col(d)), FrameMatrix(predicted.col(d)));
-      }
+      fits.add(pairs_[pair].output, predicted);
       add_details(pair, from, predicted, details);
     };
     for (std::size_t r = 0; r < of_round.size(); ++r) {
@@ -181,9 +202,7 @@ class RadialLearner {
     if (details.frames == 0.0) {
       for (std::size_t i = 0; i < pairs_.size(); ++i) add(i, whole);
     }
-    Eigen::VectorXd fits(dofs_ + 1);
-    for (Eigen::Index d = 0; d <= dofs_; ++d) fits[d] = sums[static_cast<std::size_t>(d)].fit();
-    return {std::move(details), std::move(fits)};
+    return {std::move(details), fits.fits()};
   }
 
   static bool learns(const std::vector<Role>& roles) {
@@ -215,8 +234,8 @@ class RadialLearner {
     return spread;
   }
 
-  /// The regression of the output's detail on the input's, part by part: what examples of both styles have in common
-  /// beyond their style.
+  /// Of the root's velocities, the regression of the output's detail on the input's: what examples of both styles have
+  /// in common beyond their style. None of posture: a share of its ordinary detail brought translations no nearer.
   [[nodiscard]] Eigen::VectorXd share_of(const DetailSums& sums) const {
     Eigen::VectorXd share = Eigen::VectorXd::Zero(dofs_);
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -229,16 +248,9 @@ class RadialLearner {
   }
 
   [[nodiscard]] Eigen::VectorXd fits_of(const Fitted& fitted) const {
-    std::vector<sysid::FitSum> sums(static_cast<std::size_t>(dofs_) + 1, sysid::FitSum(1));
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const FrameMatrix predicted = predict(fitted, i);
-      for (Eigen::Index d = 0; d <= dofs_; ++d) {
-        sums[static_cast<std::size_t>(d)].add(FrameMatrix(pairs_[i].output.col(d)), FrameMatrix(predicted.col(d)));
-      }
-    }
-    Eigen::VectorXd fits(dofs_ + 1);
-    for (Eigen::Index d = 0; d <= dofs_; ++d) fits[d] = sums[static_cast<std::size_t>(d)].fit();
-    return fits;
+    DofFits fits(dofs_ + 1);
+    for (std::size_t i = 0; i < pairs_.size(); ++i) fits.add(pairs_[i].output, predict(fitted, i));
+    return fits.fits();
   }
 
   /// Means over the degrees of freedom of a part of the body that move.
