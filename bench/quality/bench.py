@@ -75,9 +75,8 @@ class Bench:
                      *self.options.get("pair", ()), *options])
 
     def learn(self, pairs, model, *options):
-        """Learns from a pair list, or from several."""
-        lists = pairs if isinstance(pairs, list) else [pairs]
-        return run("learn", [self.strut, "learn", *lists, "-o", model, *self.options.get("learn", ()), *options])
+        """Learns from a pair list."""
+        return run("learn", [self.strut, "learn", pairs, "-o", model, *self.options.get("learn", ()), *options])
 
     def translate(self, model, clips, folder, *options):
         """The translated files, and the mean seconds per clip."""
@@ -102,10 +101,6 @@ class Bench:
     @functools.cached_property
     def version(self):
         return run("version", [self.strut, "--version"]).out.split()[-1]
-
-    @functools.cached_property
-    def learn_help(self):
-        return run("learn", [self.strut, "learn", "--help"]).out
 
     def each(self, work, items, jobs=None):
         """What `work` makes of each item, by item; the Refused where it fails."""

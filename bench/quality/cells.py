@@ -124,9 +124,7 @@ def learn_together(bench, cells):
 
 
 def together(bench, style, lists):
-    """The pair lists, in one where the program takes only one."""
-    if re.search(r"^ *pairs\b.*\.\.\.", bench.learn_help, re.MULTILINE):
-        return lists
+    """The pair lists in one."""
     joined = bench.make_folder(f"all_{style}") / "pairs.toml"
     for path in lists:
         for entry in read_pairs(path):

@@ -36,15 +36,7 @@ from bench import SPLITS, Bench, Refused
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DEFAULT_SPLIT = "test"
-
-
-def methods_beside_the_default(bench):
-    """Options of strut learn by method; those that this strut has."""
-    found = {"paper": ("--method", "paper") if "--method" in bench.learn_help else
-             ("--weighting", "n4sid", "--memory", "100", "--ridge", "0")}
-    if "--context" in bench.learn_help:
-        found["no context"] = ("--context", "0")
-    return found
+METHODS_BESIDE_THE_DEFAULT = {"paper": ("--method", "paper"), "no context": ("--context", "0")}  # options of learn
 
 
 class Progress:
@@ -79,7 +71,7 @@ def do_methods(bench, some_cells, default, progress):
     def keep(name, learnt):
         rows[name] = cells.rows(bench, default["references"], learnt)
         return learnt
-    for name, options in methods_beside_the_default(bench).items():
+    for name, options in METHODS_BESIDE_THE_DEFAULT.items():
         keep(name, progress(name, bench.each, lambda cell: cells.learn_cell(bench, cell, name, options), some_cells, 1))
     one_pair = keep("one pair", progress("one pair", bench.each,
                                          lambda cell: cells.learn_from_one_pair(bench, cell), some_cells, 1))
@@ -186,7 +178,7 @@ def main():
         if args.page:
             progress = Progress()
             found = do_everything(bench, args, progress)
-            page.write(args.page, found, bench, args.joints, methods_beside_the_default(bench), progress.seconds())
+            page.write(args.page, found, bench, args.joints, METHODS_BESIDE_THE_DEFAULT, progress.seconds())
             print(tables.gap_summary(found["cells"]) + f"\nwritten {args.page}")
             results = found["cells"]
         else:
