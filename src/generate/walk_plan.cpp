@@ -196,7 +196,9 @@ double time_over(const SmoothCurve& distance, double foothold, double begin, dou
 
 /// Rolling over the foot belongs to walking forwards; sideways and backwards steps are flat.
 double forwardness(double direction) {
-  return std::max(0.0, std::cos(direction));
+  constexpr double kRounding = 1e-9;  // the cosine of a right angle is not quite zero
+  const double forward = std::cos(direction);
+  return forward > kRounding ? forward : 0.0;
 }
 
 void roll_plant(Plant& plant, std::size_t k, const std::vector<Landing>& landings, const std::vector<Step>& steps,
