@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: MIT
+// A pipeline over the frames of a window, from its newest frame to the one that is written:
+//   newest          where the legs are in the world
+//   - steady_       footplants without flicker
+//   - window_       a footplant that begins here gets its place, from the frames up to the previous stage; how far the
+//                   body must be shifted
+//   - ramp_         the output: the body's shift is smoothed and feet that do not stand move towards where they will
+// Every decision is made once, so a stream and a clip come out the same.
+#include "postprocess/leg_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <strut/core/error.h>
+#include <strut/math/rotation.h>
+#include <strut/postprocess/footskate.h>
+
+namespace strut::postprocess {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr int kShortestLookAhead = 3;     // [frames]: one each for flicker, the foot's place and blending
+constexpr double kWindowShare = 1.0 / 3;  // of the look-ahead to see where a foot stands; the rest blends
+// A frame counts for a foot's place by one over the square of its speed, speeds below this counting alike
+// [leg lengths/s].
+constexpr double kStillSpeed = 0.1;
+// The heel is held while it is no higher above the toe than when it was put down, and free above the second number
+// [foot lengths].
+constexpr double kHeelDown = 0.06, kHeelUp = 0.30;
+constexpr double kMostTurn = 0.6;     // a foot that turns farther than this from where it was held is let go [rad]
+constexpr double kMostDrop = 0.08;    // of the body, to let legs reach [leg lengths]
+constexpr double kReturn = 0.5;       // of its shift the body gives up with each footplant,
+constexpr double kMostReturn = 0.04;  // but no more than this [leg lengths]
+// How much of a knee's way of bending is remembered for when it is straight, and how bent it must be to know better.
+constexpr double kAxisMemory = 0.05;
+constexpr double kStraightSine = 0.05;
+constexpr double kNothing = 1e-12;  // corrections below this are rounding [m, rad]
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+double smooth_step(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+void require(bool holds, const char* argument, const char* expected, double got) {
+  if (!holds) throw InvalidArgument(argument, expected, std::to_string(got));
+}
+
+void check(const FootskateOptions& options, double frame_rate) {
+  require(std::isfinite(frame_rate) && frame_rate > 0.0, "frame_rate", "a positive finite number", frame_rate);
+  require(options.look_ahead > 0.0 && options.look_ahead <= 2.0, "look_ahead", "a time up to 2 s", options.look_ahead);
+  require(options.shortest_run >= 0.0 && options.shortest_run <= 0.5, "shortest_run", "0 to 0.5 s",
+          options.shortest_run);
+  require(options.max_stretch >= 0.0 && options.max_stretch <= 0.1, "max_stretch", "0 to 0.1", options.max_stretch);
+  require(options.reach >= 0.5 && options.reach <= 1.0, "reach", "0.5 to 1", options.reach);
+  require(options.body_follows >= 0.0 && options.body_follows <= 10.0, "body_follows", "0 to 10 s",
+          options.body_follows);
+  require(options.max_drag > 0.0 && options.max_drag <= 1.0, "max_drag", "above 0, to 1", options.max_drag);
+}
+
+void check(const Skeleton& skeleton, const motion::Leg& leg, const char* argument) {
+  const auto is_child = [&](int joint, int parent) {
+    return joint > 0 && joint < skeleton.num_joints() && skeleton.joint(joint).parent == parent;
+  };
+  const bool is_leg = leg.hip > 0 && leg.hip < skeleton.num_joints() && is_child(leg.knee, leg.hip) &&
+                      is_child(leg.ankle, leg.knee) && (leg.toe < 0 || is_child(leg.toe, leg.ankle)) &&
+                      leg.tip.allFinite();
+  if (!is_leg)
+    throw InvalidArgument(argument, "hip, knee, ankle and toe of the skeleton, each below the last", "others");
+}
+
+/// The joints from below `above` (the root included if it is -1) down to `joint`'s parent, in this order.
+std::vector<int> chain_between(const Skeleton& skeleton, int above, int joint, const char* argument) {
+  std::vector<int> chain;
+  int j = skeleton.joint(joint).parent;
+  for (; j != above && j >= 0; j = skeleton.joint(j).parent) chain.insert(chain.begin(), j);
+  if (j != above) throw InvalidArgument(argument, "a leg below the skeleton's pelvis", "one that hangs elsewhere");
+  return chain;
+}
+
+/// Weights of a smooth bump over 2 * half + 1 frames, of sum 1.
+std::vector<double> bump(int half) {
+  std::vector<double> weights;
+  double sum = 0.0;
+  for (int k = -half; k <= half; ++k) {
+    weights.push_back(0.5 + 0.5 * std::cos(std::numbers::pi * k / (half + 1)));
+    sum += weights.back();
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+/// One frame along the cubic from (value, slope) to (goal, goal_slope) in `frames` frames, slopes per frame.
+template <typename Vector>
+void step_towards(const Vector& goal, const Vector& goal_slope, int frames, Vector& value, Vector& slope) {
+  const double n = frames, s = 1.0 / n, s2 = s * s, s3 = s2 * s;
+  const Vector way = goal - value;
+  const Vector next = value + (3 * s2 - 2 * s3) * way + n * ((s3 - 2 * s2 + s) * slope + (s3 - s2) * goal_slope);
+  slope = (6 * s - 6 * s2) * s * way + (3 * s2 - 4 * s + 1) * slope + (3 * s2 - 2 * s) * goal_slope;
+  value = next;
+}
+
+double leg_length(const Vector3d& hip, const Vector3d& knee, const Vector3d& ankle) {
+  return (knee - hip).norm() + (ankle - knee).norm();
+}
+
+Vector3d horizontal(const Vector3d& vector) {
+  return {vector.x(), 0.0, vector.z()};
+}
+
+}  // namespace
+
+FootskateCleaner::FootskateCleaner(std::shared_ptr<const Skeleton> skeleton, const motion::Legs& legs,
+                                   double frame_rate, const FootskateOptions& options)
+    : legs_(legs), options_(options), frame_rate_(frame_rate) {
+  if (!skeleton) throw InvalidArgument("skeleton", "a skeleton", "null");
+  check(options, frame_rate);
+  pelvis_ = skeleton->pelvis();
+  for (const int foot : {0, 1}) {
+    const char* const argument = foot == 0 ? "legs.left" : "legs.right";
+    check(*skeleton, legs.foot(foot), argument);
+    to_hip_[at(foot)] = chain_between(*skeleton, pelvis_, legs.foot(foot).hip, argument);
+  }
+  if (pelvis_ > 0) to_pelvis_ = chain_between(*skeleton, -1, pelvis_, "skeleton");
+
+  latency_ = static_cast<int>(std::lround(options.look_ahead * frame_rate));
+  require(latency_ >= kShortestLookAhead, "look_ahead", "three frames or more", options.look_ahead);
+  steady_ = std::clamp(static_cast<int>(std::ceil(options.shortest_run * frame_rate)) - 1, 1, latency_ / 3);
+  window_ = std::max(1, static_cast<int>(kWindowShare * (latency_ - steady_)));
+  ramp_ = latency_ - steady_ - window_;
+  least_reach_ = ramp_ / 2;
+  kernel_ = bump(ramp_ - least_reach_);
+  follow_gain_ = 1.0 - std::exp(-1.0 / (frame_rate * std::max(options.body_follows, 1e-9)));
+
+  frames_.resize(at(latency_ + 1));
+  const Pose pose = rest_pose(*skeleton);
+  for (Frame& frame : frames_) frame.pose = pose;
+  shift_.resize(at(2 * ramp_ + 2));
+  lowest_.resize(shift_.size());
+  reset();
+}
+
+void FootskateCleaner::reset() {
+  holds_ = {};
+  blends_ = {};
+  let_go_ = {};
+  last_flags_ = steady_flags_ = {};
+  run_ = {};
+  last_shift_.setZero();
+  newest_ = -1;
+  next_output_ = 0;
+  end_ = -1;
+}
+
+bool FootskateCleaner::push(const Pose& pose, std::array<bool, 2> planted, Pose& output) {
+  if (end_ >= 0) reset();
+  frame(newest_ + 1).pose = pose;
+  take(planted);
+  return produce(output);
+}
+
+bool FootskateCleaner::flush(Pose& output) {
+  if (end_ < 0) end_ = newest_ + 1;
+  if (next_output_ >= end_) return false;
+  // The last pose is taken to last: a foot that stands at the end stands on.
+  for (bool is_written = false; !is_written; is_written = produce(output)) {
+    frame(newest_ + 1).pose = frame(newest_).pose;
+    take(last_flags_);
+  }
+  return true;
+}
+
+void FootskateCleaner::take(const std::array<bool, 2>& planted) {
+  ++newest_;
+  locate(frame(newest_));
+  settle_flags(planted);
+  const int decided = newest_ - steady_ - window_;
+  if (decided >= 0) decide(decided);
+}
+
+bool FootskateCleaner::produce(Pose& output) {
+  const int index = newest_ - latency_;
+  if (index < 0) return false;
+  const Frame& source = frame(index);
+  const Vector3d shift = shift_at(index);
+  output = source.pose;
+  if (!shift.isZero(0.0)) output.translations[at(pelvis_)] += source.above_pelvis.conjugate() * shift;
+  for (const int foot : {0, 1}) {
+    blend(foot, index, shift);
+    pose_leg(foot, source, shift, output);
+  }
+  last_shift_ = shift;
+  next_output_ = index + 1;
+  return true;
+}
+
+void FootskateCleaner::locate(Frame& frame) const {
+  Quaterniond rotation = Quaterniond::Identity();
+  Vector3d position = Vector3d::Zero();
+  const auto down = [&](int joint) {
+    position += rotation * frame.pose.translations[at(joint)];
+    rotation = rotation * frame.pose.rotations[at(joint)];
+  };
+  for (const int joint : to_pelvis_) down(joint);
+  frame.above_pelvis = rotation;
+  down(pelvis_);
+  const Quaterniond pelvis_rotation = rotation;
+  const Vector3d pelvis_position = position;
+  for (const int foot : {0, 1}) {
+    const motion::Leg& leg = legs_.foot(foot);
+    LegFrame& place = frame.legs[at(foot)];
+    rotation = pelvis_rotation;
+    position = pelvis_position;
+    for (const int joint : to_hip_[at(foot)]) down(joint);
+    place.above = rotation;
+    down(leg.hip);
+    place.hip = position;
+    down(leg.knee);
+    place.knee = position;
+    down(leg.ankle);
+    place.ankle = position;
+    place.foot = rotation;
+    place.toe = position + rotation * (leg.toe >= 0 ? frame.pose.translations[at(leg.toe)] : leg.tip);
+  }
+}
+
+/// Changes last only if the flag stays as it is for steady_ frames more.
+void FootskateCleaner::settle_flags(const std::array<bool, 2>& planted) {
+  const int index = newest_ - steady_;
+  for (const std::size_t foot : {0, 1}) {
+    run_[foot] = newest_ > 0 && planted[foot] == last_flags_[foot] ? run_[foot] + 1 : 1;
+    last_flags_[foot] = planted[foot];
+    if (run_[foot] > steady_) steady_flags_[foot] = planted[foot];
+    if (index >= 0) frame(index).planted[foot] = steady_flags_[foot];
+  }
+}
+
+void FootskateCleaner::decide(int index) {
+  Frame& here = frame(index);
+  for (const int foot : {0, 1}) {
+    Hold& hold = holds_[at(foot)];
+    if (here.planted[at(foot)] && index < hold.not_before) {
+      here.planted[at(foot)] = false;
+      ++let_go_[at(foot)];
+    }
+    if (here.planted[at(foot)] && !hold.planted) begin_plant(foot, index);
+    hold.planted = here.planted[at(foot)];
+    if (!hold.planted) continue;
+    here.wanted[at(foot)] = wanted(foot, index);
+    const LegFrame& leg = here.legs[at(foot)];
+    const Vector3d dragged = here.wanted[at(foot)].head<3>() - slot(shift_, index - 1);
+    const bool is_too_far = horizontal(dragged).norm() > options_.max_drag * leg_length(leg.hip, leg.knee, leg.ankle) ||
+                            here.wanted[at(foot)].tail<3>().norm() > kMostTurn;
+    if (!is_too_far) continue;
+    here.planted[at(foot)] = hold.planted = false;
+    hold.not_before = index + ramp_;
+    ++let_go_[at(foot)];
+  }
+  follow(index);
+}
+
+/// How much a frame says about where a foot stands: the more, the slower it is.
+double FootskateCleaner::toe_weight(int foot, int index, bool whole_foot) const {
+  const LegFrame& before = frame(std::max(0, index - 1)).legs[at(foot)];
+  const LegFrame& after = frame(index + 1).legs[at(foot)];
+  const double frames = index > 0 ? 2.0 : 1.0;
+  double moved = (after.toe - before.toe).squaredNorm();
+  if (whole_foot) moved += (after.ankle - before.ankle).squaredNorm();
+  const double still = kStillSpeed * leg_length(after.hip, after.knee, after.ankle) * frames / frame_rate_;
+  return 1.0 / (moved + still * still + kNothing);
+}
+
+void FootskateCleaner::begin_plant(int foot, int index) {
+  Hold& hold = holds_[at(foot)];
+  Vector3d place = Vector3d::Zero();
+  Eigen::Vector4d rotation = Eigen::Vector4d::Zero();
+  double place_weights = 0.0, rotation_weights = 0.0, rise = 0.0;
+  for (int f = index; f <= index + window_ && frame(f).planted[at(foot)]; ++f) {
+    const LegFrame& leg = frame(f).legs[at(foot)];
+    const double weight = toe_weight(foot, f, false), whole_weight = toe_weight(foot, f, true);
+    place += weight * leg.toe;
+    place_weights += weight;
+    const double sign = rotation.dot(leg.foot.coeffs()) < 0.0 ? -1.0 : 1.0;
+    rotation += sign * whole_weight * leg.foot.coeffs();
+    rise += whole_weight * (leg.ankle.y() - leg.toe.y());
+    rotation_weights += whole_weight;
+  }
+  const LegFrame& leg = frame(index).legs[at(foot)];
+  // The place moves with the body's shift, of which a part is given up each time so that it does not grow for ever.
+  const Vector3d shift = horizontal(slot(shift_, index - 1));
+  const double most = kMostReturn * leg_length(leg.hip, leg.knee, leg.ankle);
+  const double given_up = std::min(kReturn, most / std::max(shift.norm(), kNothing));
+  hold.place = place / place_weights + (index > 0 ? Vector3d((1.0 - given_up) * shift) : Vector3d::Zero());
+  hold.rotation = Quaterniond(rotation).normalized();
+  hold.rise = rise / rotation_weights;
+}
+
+/// What brings a planted foot to where it is held: the toe always, the heel while it is down.
+FootskateCleaner::Correction FootskateCleaner::wanted(int foot, int index) const {
+  const Hold& hold = holds_[at(foot)];
+  const LegFrame& leg = frame(index).legs[at(foot)];
+  Correction correction = Correction::Zero();
+  correction.head<3>() = hold.place - leg.toe;
+  const double foot_length = (leg.toe - leg.ankle).norm();
+  if (foot_length < 1e-6) return correction;
+  const double rise = (leg.ankle.y() - leg.toe.y() - hold.rise) / foot_length;
+  const double down = 1.0 - smooth_step((rise - kHeelDown) / (kHeelUp - kHeelDown));
+  if (down > 0.0) correction.tail<3>() = down * math::log_map(hold.rotation * leg.foot.conjugate());
+  return correction;
+}
+
+/// How far the body must come down for a held foot's leg to reach: at most 0.
+double FootskateCleaner::drop_to_reach(int foot, int index) const {
+  const LegFrame& leg = frame(index).legs[at(foot)];
+  const Correction& correction = frame(index).wanted[at(foot)];
+  const Quaterniond turn = math::exp_map(correction.tail<3>());
+  const Vector3d ankle = leg.toe + correction.head<3>() - turn * (leg.toe - leg.ankle);
+  const Vector3d way = ankle - leg.hip - horizontal(slot(shift_, index));
+  const double length = leg_length(leg.hip, leg.knee, leg.ankle);
+  const double longest = std::max(options_.reach * length, (leg.ankle - leg.hip).norm());
+  const double below = std::sqrt(std::max(0.0, longest * longest - horizontal(way).squaredNorm()));
+  return std::clamp(below + way.y(), -kMostDrop * length, 0.0);
+}
+
+/// The body's shift as the planted feet want it, before smoothing.
+void FootskateCleaner::follow(int index) {
+  Vector3d shift = index > 0 ? slot(shift_, index - 1) : Vector3d::Zero();
+  shift.y() = 0.0;
+  const Frame& here = frame(index);
+  Vector3d feet = Vector3d::Zero();
+  const int standing = int{here.planted[0]} + int{here.planted[1]};
+  for (const std::size_t foot : {0, 1}) {
+    if (here.planted[foot]) feet += horizontal(here.wanted[foot].head<3>()) / standing;
+  }
+  if (standing > 0) shift += follow_gain_ * (feet - shift);
+  slot(shift_, index) = shift;
+  double drop = 0.0;
+  for (const int foot : {0, 1}) {
+    if (here.planted[at(foot)]) drop = std::min(drop, drop_to_reach(foot, index));
+  }
+  slot(shift_, index).y() = drop;
+
+  const int middle = index - least_reach_;
+  if (middle < 0) return;
+  Vector3d lowest = slot(shift_, middle);
+  for (int f = std::max(0, middle - least_reach_); f <= index; ++f)
+    lowest.y() = std::min(lowest.y(), slot(shift_, f).y());
+  slot(lowest_, middle) = lowest;
+}
+
+Vector3d FootskateCleaner::shift_at(int index) const {
+  const int half = static_cast<int>(kernel_.size()) / 2;
+  Vector3d shift = Vector3d::Zero();
+  for (int k = -half; k <= half; ++k) shift += kernel_[at(k + half)] * slot(lowest_, index + k);
+  return shift;
+}
+
+/// The next frame after `index`, within sight, in which the foot is planted; -1 if there is none.
+int FootskateCleaner::next_landing(int foot, int index) const {
+  for (int f = index + 1; f <= index + ramp_; ++f) {
+    if (frame(f).planted[at(foot)]) return f;
+  }
+  return -1;
+}
+
+void FootskateCleaner::blend(int foot, int index, const Vector3d& shift) {
+  Blend& blend = blends_[at(foot)];
+  const Frame& here = frame(index);
+  if (here.planted[at(foot)]) {
+    const Correction& now = here.wanted[at(foot)];
+    blend.velocity = index > 0 ? Correction(now - blend.correction) : Correction::Zero();
+    blend.correction = now;
+    blend.since_planted = 0;
+    return;
+  }
+  ++blend.since_planted;
+  const int landing = next_landing(foot, index);
+  Correction goal = Correction::Zero(), velocity = Correction::Zero();
+  if (landing >= 0) {
+    goal = frame(landing).wanted[at(foot)];
+    velocity.head<3>() = frame(landing).legs[at(foot)].toe - frame(landing + 1).legs[at(foot)].toe;
+  } else {
+    goal.head<3>() = horizontal(shift);
+    velocity.head<3>() = horizontal(shift - last_shift_);
+  }
+  if (index == 0) {
+    blend.correction = goal;
+    blend.since_planted = ramp_;
+    return;
+  }
+  const int frames = landing >= 0 ? landing - index + 1 : std::max(1, ramp_ - blend.since_planted + 1);
+  step_towards(goal, velocity, frames, blend.correction, blend.velocity);
+}
+
+/// Solves a leg for its foot's correction and the body's shift.
+void FootskateCleaner::pose_leg(int foot, const Frame& frame, const Vector3d& shift, Pose& output) {
+  const motion::Leg& joints = legs_.foot(foot);
+  const LegFrame& leg = frame.legs[at(foot)];
+  Blend& blend = blends_[at(foot)];
+  const Vector3d thigh = leg.knee - leg.hip, shin = leg.ankle - leg.knee;
+  const Quaterniond thigh_rotation = leg.above * frame.pose.rotations[at(joints.hip)];
+
+  // The knee's way of bending: its own where it is bent, what it was where it is straight.
+  const Vector3d bend = thigh_rotation.conjugate() * thigh.cross(shin) / std::max(thigh.norm() * shin.norm(), kNothing);
+  if (blend.bend_axis.isZero(0.0)) blend.bend_axis = bend;
+  blend.bend_axis += kAxisMemory * (bend - blend.bend_axis);
+  const double remembered = blend.bend_axis.norm();
+  const Vector3d correction = blend.correction.head<3>();
+  const bool is_moved =
+      (correction - shift).squaredNorm() + blend.correction.tail<3>().squaredNorm() > kNothing * kNothing;
+  if (!is_moved || remembered < kNothing) return;
+  const Vector3d usual = blend.bend_axis / remembered;
+  const double usual_sine = std::max(0.0, bend.dot(usual));
+  const Vector3d across = bend - bend.dot(usual) * usual;
+  const Vector3d axis = usual * (usual_sine + kStraightSine) + across * (usual_sine / (usual_sine + kStraightSine));
+
+  const Quaterniond foot_turn = math::exp_map(blend.correction.tail<3>());
+  const Vector3d ankle = leg.toe + correction - foot_turn * (leg.toe - leg.ankle);
+  const auto solution =
+      detail::solve_leg(thigh, shin, ankle - leg.hip - shift, thigh_rotation * axis.normalized(), options_.max_stretch);
+  if (!solution.changed) return;
+  const Quaterniond new_thigh = solution.thigh_turn * thigh_rotation;
+  const Quaterniond new_shin = solution.shin_turn * thigh_rotation * frame.pose.rotations[at(joints.knee)];
+  output.rotations[at(joints.hip)] = (leg.above.conjugate() * new_thigh).normalized();
+  output.rotations[at(joints.knee)] = (new_thigh.conjugate() * new_shin).normalized();
+  output.rotations[at(joints.ankle)] = (new_shin.conjugate() * (foot_turn * leg.foot)).normalized();
+  output.translations[at(joints.knee)] *= solution.stretch;
+  output.translations[at(joints.ankle)] *= solution.stretch;
+}
+
+Motion clean_footskate(const Motion& motion, const motion::Legs& legs, const std::vector<motion::Footplant>& plants,
+                       const FootskateOptions& options, Diagnostics* diagnostics) {
+  FootskateCleaner cleaner(motion.shared_skeleton(), legs, motion.frame_rate(), options);
+  std::vector<std::array<bool, 2>> planted(at(motion.num_frames()));
+  for (const motion::Footplant& plant : plants) {
+    if (plant.foot != 0 && plant.foot != 1) {
+      throw InvalidArgument("plants", "foot 0 (left) or 1 (right)", std::to_string(plant.foot));
+    }
+    if (plant.begin < 0 || plant.end < plant.begin || plant.end > motion.num_frames()) {
+      throw InvalidArgument("plants", "frames inside the clip",
+                            std::to_string(plant.begin) + " to " + std::to_string(plant.end));
+    }
+    for (int f = plant.begin; f < plant.end; ++f) planted[at(f)][at(plant.foot)] = true;
+  }
+  std::vector<Pose> cleaned;
+  cleaned.reserve(at(motion.num_frames()));
+  Pose pose;
+  for (int f = 0; f < motion.num_frames(); ++f) {
+    if (cleaner.push(motion.frame(f), planted[at(f)], pose)) cleaned.push_back(pose);
+  }
+  while (cleaner.flush(pose)) cleaned.push_back(pose);
+  for (const int foot : {0, 1}) {
+    const int frames = cleaner.frames_let_go()[at(foot)];
+    if (diagnostics == nullptr || frames == 0) continue;
+    diagnostics->warn("footskate",
+                      std::string("the ") + (foot == 0 ? "left" : "right") + " foot was let go in " +
+                          std::to_string(frames) + " frames in which it is planted but moves too far",
+                      "look at the footplants: a foot that moves this far is not standing");
+  }
+  return {motion.shared_skeleton(), motion.frame_rate(), std::move(cleaned)};
+}
+
+}  // namespace strut::postprocess
