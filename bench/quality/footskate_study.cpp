@@ -33,7 +33,7 @@ using namespace strut;
 using Eigen::Vector3d;
 
 constexpr double kQuantile = 0.99;      // of a joint's accelerations in the clip as it comes
-constexpr double kLeastAngular = 5.0;   // smaller accelerations are no movement to compare with [rad/s^2]
+constexpr double kLeastAngular = 10.0;  // smaller accelerations are no movement to compare with [rad/s^2]
 constexpr double kLeastStraight = 0.5;  // the same of the pelvis [m/s^2]
 
 // ---- what is measured of a clip -------------------------------------------------------------------------------------
@@ -75,18 +75,23 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(index)];
 }
 
-/// The greatest acceleration of any joint against the 99th percentile of the same joint in the clip as it comes.
+/// The greatest acceleration of any joint that cleanup moves, against the 99th percentile of the same joint in the clip
+/// as it comes.
 struct Sharpest {
   double ratio = 0.0;
   std::string joint;
   int frame = 0;
 };
 
-Sharpest sharpest(const Motion& clip, const std::vector<std::vector<double>>& reference) {
+Sharpest sharpest(const Motion& clip, const std::vector<std::vector<double>>& reference, const motion::Legs& legs) {
   Sharpest worst;
   const auto found = accelerations(clip);
   for (std::size_t j = 0; j < found.size(); ++j) {
     const bool is_pelvis = j + 1 == found.size();
+    const auto is_of = [j = static_cast<int>(j)](const motion::Leg& leg) {
+      return j == leg.hip || j == leg.knee || j == leg.ankle;
+    };
+    if (!is_pelvis && !is_of(legs.left) && !is_of(legs.right)) continue;  // cleanup does not touch it
     const double usual = std::max(quantile(reference[j], kQuantile), is_pelvis ? kLeastStraight : kLeastAngular);
     const auto greatest = std::max_element(found[j].begin(), found[j].end());
     if (*greatest / usual <= worst.ratio) continue;
@@ -155,8 +160,8 @@ Row cleaned_row(const Motion& clip, const postprocess::FootskateOptions& options
   const auto reference = accelerations(clip);
   Row row{slides(clip, plants),
           slides(cleaned, plants),
-          sharpest(clip, reference),
-          sharpest(cleaned, reference),
+          sharpest(clip, reference, legs),
+          sharpest(cleaned, reference, legs),
           change(clip, cleaned, legs),
           0,
           microseconds_per_frame(clip, legs, plants)};

@@ -25,13 +25,17 @@ using Eigen::Vector3d;
 
 constexpr int kShortestLookAhead = 3;     // [frames]: one each for flicker, the foot's place and blending
 constexpr double kWindowShare = 1.0 / 3;  // of the look-ahead to see where a foot stands; the rest blends
+constexpr double kRelease = 0.5;          // time in which a foot that is no longer held comes back to its path [s]
 // A frame counts for a foot's place by one over the square of its speed, speeds below this counting alike
 // [leg lengths/s].
 constexpr double kStillSpeed = 0.1;
-// The heel is held while it is no higher above the toe than when it was put down, and free above the second number
+// The heel is held while it is no higher above the toe than when it was put down; at this rise, a quarter of it is left
 // [foot lengths].
-constexpr double kHeelDown = 0.06, kHeelUp = 0.30;
-constexpr double kMostTurn = 0.6;     // a foot that turns farther than this from where it was held is let go [rad]
+constexpr double kHeelRise = 0.1;
+// The toe is held on its ground, but lifts off where it rises by far more than this: the first and last frames of a
+// footplant often have it in the air [leg lengths].
+constexpr double kLift = 0.012;
+constexpr double kMostTurn = 0.4;     // a foot is not turned by more than this, however far the body turns on it [rad]
 constexpr double kMostDrop = 0.08;    // of the body, to let legs reach [leg lengths]
 constexpr double kReturn = 0.5;       // of its shift the body gives up with each footplant,
 constexpr double kMostReturn = 0.04;  // but no more than this [leg lengths]
@@ -42,11 +46,6 @@ constexpr double kNothing = 1e-12;  // corrections below this are rounding [m, r
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
-}
-
-double smooth_step(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
 }
 
 void require(bool holds, const char* argument, const char* expected, double got) {
@@ -135,6 +134,7 @@ FootskateCleaner::FootskateCleaner(std::shared_ptr<const Skeleton> skeleton, con
   steady_ = std::clamp(static_cast<int>(std::ceil(options.shortest_run * frame_rate)) - 1, 1, latency_ / 3);
   window_ = std::max(1, static_cast<int>(kWindowShare * (latency_ - steady_)));
   ramp_ = latency_ - steady_ - window_;
+  release_ = std::max(ramp_, static_cast<int>(std::lround(kRelease * frame_rate)));
   least_reach_ = ramp_ / 2;
   kernel_ = bump(ramp_ - least_reach_);
   follow_gain_ = 1.0 - std::exp(-1.0 / (frame_rate * std::max(options.body_follows, 1e-9)));
@@ -256,8 +256,7 @@ void FootskateCleaner::decide(int index) {
     here.wanted[at(foot)] = wanted(foot, index);
     const LegFrame& leg = here.legs[at(foot)];
     const Vector3d dragged = here.wanted[at(foot)].head<3>() - slot(shift_, index - 1);
-    const bool is_too_far = horizontal(dragged).norm() > options_.max_drag * leg_length(leg.hip, leg.knee, leg.ankle) ||
-                            here.wanted[at(foot)].tail<3>().norm() > kMostTurn;
+    const bool is_too_far = horizontal(dragged).norm() > options_.max_drag * leg_length(leg.hip, leg.knee, leg.ankle);
     if (!is_too_far) continue;
     here.planted[at(foot)] = hold.planted = false;
     hold.not_before = index + ramp_;
@@ -308,11 +307,16 @@ FootskateCleaner::Correction FootskateCleaner::wanted(int foot, int index) const
   const LegFrame& leg = frame(index).legs[at(foot)];
   Correction correction = Correction::Zero();
   correction.head<3>() = hold.place - leg.toe;
+  const double lift = std::max(0.0, -correction.y()) / (kLift * leg_length(leg.hip, leg.knee, leg.ankle) + kNothing);
+  correction.y() /= 1.0 + lift * lift;
   const double foot_length = (leg.toe - leg.ankle).norm();
   if (foot_length < 1e-6) return correction;
   const double rise = (leg.ankle.y() - leg.toe.y() - hold.rise) / foot_length;
-  const double down = 1.0 - smooth_step((rise - kHeelDown) / (kHeelUp - kHeelDown));
-  if (down > 0.0) correction.tail<3>() = down * math::log_map(hold.rotation * leg.foot.conjugate());
+  // Of a rise r, r (1 - held) is left: a slope from 0 to about 1, so that the heel lifts off without a jerk.
+  const double free = kHeelRise / (kHeelRise + std::max(0.0, rise));
+  const Vector3d turn = math::log_map(hold.rotation * leg.foot.conjugate());
+  const double share = turn.squaredNorm() / (kMostTurn * kMostTurn);
+  correction.tail<3>() = free * free / std::sqrt(std::sqrt(1.0 + share * share)) * turn;
   return correction;
 }
 
@@ -370,6 +374,15 @@ int FootskateCleaner::next_landing(int foot, int index) const {
   return -1;
 }
 
+/// How the correction of a foot that comes to stand at `index` goes on.
+FootskateCleaner::Correction FootskateCleaner::change_after(int foot, int index) const {
+  const Frame &here = frame(index), &next = frame(index + 1);
+  // The footplant that was decided last is the one that is held now; of later frames nothing is stored yet.
+  if (index == newest_ - steady_ - window_) return wanted(foot, index + 1) - here.wanted[at(foot)];
+  if (!next.planted[at(foot)]) return Correction::Zero();
+  return next.wanted[at(foot)] - here.wanted[at(foot)];
+}
+
 void FootskateCleaner::blend(int foot, int index, const Vector3d& shift) {
   Blend& blend = blends_[at(foot)];
   const Frame& here = frame(index);
@@ -385,7 +398,7 @@ void FootskateCleaner::blend(int foot, int index, const Vector3d& shift) {
   Correction goal = Correction::Zero(), velocity = Correction::Zero();
   if (landing >= 0) {
     goal = frame(landing).wanted[at(foot)];
-    velocity.head<3>() = frame(landing).legs[at(foot)].toe - frame(landing + 1).legs[at(foot)].toe;
+    velocity = change_after(foot, landing);
   } else {
     goal.head<3>() = horizontal(shift);
     velocity.head<3>() = horizontal(shift - last_shift_);
@@ -395,7 +408,7 @@ void FootskateCleaner::blend(int foot, int index, const Vector3d& shift) {
     blend.since_planted = ramp_;
     return;
   }
-  const int frames = landing >= 0 ? landing - index + 1 : std::max(1, ramp_ - blend.since_planted + 1);
+  const int frames = landing >= 0 ? landing - index + 1 : std::max(1, release_ - blend.since_planted + 1);
   step_towards(goal, velocity, frames, blend.correction, blend.velocity);
 }
 

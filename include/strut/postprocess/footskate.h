@@ -27,7 +27,7 @@ struct FootskateOptions {
   double shortest_run =
       0.05;                   ///< plants and gaps in them shorter than this are ignored, one frame always [s], [0, 0.5]
   double max_stretch = 0.02;  ///< of a leg's bones, instead of a straight knee [share of their length], [0, 0.1]
-  double reach = 0.985;       ///< the body is lowered until a held foot's leg is at most this long, or as long as it
+  double reach = 0.97;        ///< the body is lowered until a held foot's leg is at most this long, or as long as it
                               ///< was in the input [share of the straight leg], [0.5, 1]
   double body_follows = 0.25;  ///< time in which the body is shifted after the feet it stands on [s], [0, 10]
   double max_drag = 0.15;      ///< a foot that is dragged farther than this from the body's shift is let go, to be held
@@ -103,6 +103,7 @@ class FootskateCleaner {
   [[nodiscard]] double toe_weight(int foot, int index, bool whole_foot) const;
   void follow(int index);
   [[nodiscard]] Eigen::Vector3d shift_at(int index) const;
+  [[nodiscard]] Correction change_after(int foot, int index) const;
   void blend(int foot, int index, const Eigen::Vector3d& shift);
   [[nodiscard]] int next_landing(int foot, int index) const;
   void pose_leg(int foot, const Frame& frame, const Eigen::Vector3d& shift, Pose& output);
@@ -124,6 +125,7 @@ class FootskateCleaner {
   std::vector<int> to_pelvis_;              // joints from the root to the pelvis
   std::array<std::vector<int>, 2> to_hip_;  // joints below the pelvis down to the hip, without it
   int latency_, steady_, window_, ramp_;    // [frames]: all, for flicker, to see where a foot stands, for blending
+  int release_;                             // for a foot to come back to its path [frames]
   int least_reach_;                         // half width of the filter that keeps the body low enough [frames]
   std::vector<double> kernel_;              // of smoothing the body's shift
   double follow_gain_;
