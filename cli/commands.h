@@ -11,6 +11,7 @@ namespace strut::cli {
 void add_pair(CLI::App& app);
 void add_learn(CLI::App& app);
 void add_translate(CLI::App& app);
+void add_clean(CLI::App& app);
 void add_align(CLI::App& app);
 void add_info(CLI::App& app);
 void add_convert(CLI::App& app);

@@ -92,6 +92,7 @@ int main(int argc, char** argv) {
   add_pair(app);
   add_learn(app);
   add_translate(app);
+  add_clean(app);
   add_align(app);
   add_info(app);
   add_convert(app);

@@ -36,6 +36,7 @@ constexpr double kHeelRise = 0.1;
 // footplant often have it in the air [leg lengths].
 constexpr double kLift = 0.012;
 constexpr double kMostTurn = 0.4;     // a foot is not turned by more than this, however far the body turns on it [rad]
+constexpr double kSlack = 0.004;     // longer than it was a leg may be by this share before the body comes down
 constexpr double kMostDrop = 0.08;    // of the body, to let legs reach [leg lengths]
 constexpr double kReturn = 0.5;       // of its shift the body gives up with each footplant,
 constexpr double kMostReturn = 0.04;  // but no more than this [leg lengths]
@@ -153,6 +154,8 @@ void FootskateCleaner::reset() {
   let_go_ = {};
   last_flags_ = steady_flags_ = {};
   run_ = {};
+  std::fill(shift_.begin(), shift_.end(), Vector3d::Zero());
+  std::fill(lowest_.begin(), lowest_.end(), Vector3d::Zero());
   last_shift_.setZero();
   newest_ = -1;
   next_output_ = 0;
@@ -328,7 +331,8 @@ double FootskateCleaner::drop_to_reach(int foot, int index) const {
   const Vector3d ankle = leg.toe + correction.head<3>() - turn * (leg.toe - leg.ankle);
   const Vector3d way = ankle - leg.hip - horizontal(slot(shift_, index));
   const double length = leg_length(leg.hip, leg.knee, leg.ankle);
-  const double longest = std::max(options_.reach * length, (leg.ankle - leg.hip).norm());
+  const double as_it_was = std::min((1.0 + kSlack) * (leg.ankle - leg.hip).norm(), length);
+  const double longest = std::max(options_.reach * length, as_it_was);
   const double below = std::sqrt(std::max(0.0, longest * longest - horizontal(way).squaredNorm()));
   return std::clamp(below + way.y(), -kMostDrop * length, 0.0);
 }
