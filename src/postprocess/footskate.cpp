@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 
 constexpr int kShortestLookAhead = 3;     // [frames]: one each for flicker, the foot's place and blending
 constexpr double kWindowShare = 1.0 / 3;  // of the look-ahead to see where a foot stands; the rest blends
-constexpr double kRelease = 0.5;          // time in which a foot that is no longer held comes back to its path [s]
+constexpr double kRelease = 0.3;          // time in which a foot that is no longer held comes back to its path [s]
 // A frame counts for a foot's place by one over the square of its speed, speeds below this counting alike
 // [leg lengths/s].
 constexpr double kStillSpeed = 0.1;
@@ -36,9 +36,9 @@ constexpr double kHeelRise = 0.1;
 // footplant often have it in the air [leg lengths].
 constexpr double kLift = 0.012;
 constexpr double kMostTurn = 0.4;     // a foot is not turned by more than this, however far the body turns on it [rad]
-constexpr double kSlack = 0.004;     // longer than it was a leg may be by this share before the body comes down
+constexpr double kSlack = 0.004;      // longer than it was a leg may be by this share before the body comes down
 constexpr double kMostDrop = 0.08;    // of the body, to let legs reach [leg lengths]
-constexpr double kReturn = 0.5;       // of its shift the body gives up with each footplant,
+constexpr double kReturn = 0.25;      // of its shift the body gives up with each footplant,
 constexpr double kMostReturn = 0.04;  // but no more than this [leg lengths]
 // How much of a knee's way of bending is remembered for when it is straight, and how bent it must be to know better.
 constexpr double kAxisMemory = 0.05;
