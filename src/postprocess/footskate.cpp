@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A pipeline over the frames of a window, from its newest frame to the one that is written:
-//   newest          where the legs are in the world
-//   - steady_       footplants without flicker
-//   - window_       a footplant that begins here gets its place, from the frames up to the previous stage; how far the
-//                   body must be shifted
-//   - ramp_         the output: the body's shift is smoothed and feet that do not stand move towards where they will
+//   newest       where the legs are in the world
+//   - decision_  footplants without flicker; one that begins here gets its place, from window_ frames after it; how far
+//                the body must be shifted
+//   - ramp_      the output: the body's shift is smoothed and feet that do not stand move towards where they will
 // Every decision is made once, so a stream and a clip come out the same.
 #include "postprocess/leg_solver.h"
 
@@ -29,20 +28,21 @@ constexpr double kRelease = 0.3;          // time in which a foot that is no lon
 // A frame counts for a foot's place by one over the square of its speed, speeds below this counting alike
 // [leg lengths/s].
 constexpr double kStillSpeed = 0.1;
-// The heel is held while it is no higher above the toe than when it was put down; at this rise, a quarter of it is left
+// The heel is held while it is no higher above the toe than when it was put down; at this rise, half of that is left
 // [foot lengths].
-constexpr double kHeelRise = 0.1;
+constexpr double kHeelRise = 0.05;
 // The toe is held on its ground, but lifts off where it rises by far more than this: the first and last frames of a
 // footplant often have it in the air [leg lengths].
 constexpr double kLift = 0.012;
 constexpr double kMostTurn = 0.4;     // a foot is not turned by more than this, however far the body turns on it [rad]
 constexpr double kSlack = 0.004;      // longer than it was a leg may be by this share before the body comes down
 constexpr double kMostDrop = 0.08;    // of the body, to let legs reach [leg lengths]
-constexpr double kReturn = 0.25;      // of its shift the body gives up with each footplant,
+constexpr double kReturn = 0.1;       // of its shift the body gives up with each footplant,
 constexpr double kMostReturn = 0.04;  // but no more than this [leg lengths]
 // How much of a knee's way of bending is remembered for when it is straight, and how bent it must be to know better.
 constexpr double kAxisMemory = 0.05;
 constexpr double kStraightSine = 0.05;
+constexpr double kRounding = 1e-6;  // of numbers of frames
 constexpr double kNothing = 1e-12;  // corrections below this are rounding [m, rad]
 
 std::size_t at(int index) {
@@ -56,8 +56,10 @@ void require(bool holds, const char* argument, const char* expected, double got)
 void check(const FootskateOptions& options, double frame_rate) {
   require(std::isfinite(frame_rate) && frame_rate > 0.0, "frame_rate", "a positive finite number", frame_rate);
   require(options.look_ahead > 0.0 && options.look_ahead <= 2.0, "look_ahead", "a time up to 2 s", options.look_ahead);
-  require(options.shortest_run >= 0.0 && options.shortest_run <= 0.5, "shortest_run", "0 to 0.5 s",
-          options.shortest_run);
+  require(options.shortest_plant >= 0.0 && options.shortest_plant <= 0.5, "shortest_plant", "0 to 0.5 s",
+          options.shortest_plant);
+  require(options.shortest_gap >= 0.0 && options.shortest_gap <= 0.5, "shortest_gap", "0 to 0.5 s",
+          options.shortest_gap);
   require(options.max_stretch >= 0.0 && options.max_stretch <= 0.1, "max_stretch", "0 to 0.1", options.max_stretch);
   require(options.reach >= 0.5 && options.reach <= 1.0, "reach", "0.5 to 1", options.reach);
   require(options.body_follows >= 0.0 && options.body_follows <= 10.0, "body_follows", "0 to 10 s",
@@ -132,9 +134,17 @@ FootskateCleaner::FootskateCleaner(std::shared_ptr<const Skeleton> skeleton, con
 
   latency_ = static_cast<int>(std::lround(options.look_ahead * frame_rate));
   require(latency_ >= kShortestLookAhead, "look_ahead", "three frames or more", options.look_ahead);
-  steady_ = std::clamp(static_cast<int>(std::ceil(options.shortest_run * frame_rate)) - 1, 1, latency_ / 3);
-  window_ = std::max(1, static_cast<int>(kWindowShare * (latency_ - steady_)));
-  ramp_ = latency_ - steady_ - window_;
+  // With a short look-ahead flicker gets at most a third of it.
+  const auto frames_in = [&](double seconds) {
+    return std::clamp(static_cast<int>(std::ceil(seconds * frame_rate - kRounding)), 2, latency_ / 3 + 1);
+  };
+  shortest_plant_ = frames_in(options.shortest_plant);
+  shortest_gap_ = frames_in(options.shortest_gap);
+  window_ = std::max(1, static_cast<int>(kWindowShare * latency_));
+  // A gap is known to be one when no footplant of some length begins in it.
+  decision_ = std::min(std::max(shortest_gap_ + shortest_plant_ - 2, window_ + 1), latency_ - 1);
+  window_ = std::min(window_, decision_ - 1);
+  ramp_ = latency_ - decision_;
   release_ = std::max(ramp_, static_cast<int>(std::lround(kRelease * frame_rate)));
   least_reach_ = ramp_ / 2;
   kernel_ = bump(ramp_ - least_reach_);
@@ -152,8 +162,7 @@ void FootskateCleaner::reset() {
   holds_ = {};
   blends_ = {};
   let_go_ = {};
-  last_flags_ = steady_flags_ = {};
-  run_ = {};
+  steady_flags_ = {};
   std::fill(shift_.begin(), shift_.end(), Vector3d::Zero());
   std::fill(lowest_.begin(), lowest_.end(), Vector3d::Zero());
   last_shift_.setZero();
@@ -165,7 +174,8 @@ void FootskateCleaner::reset() {
 bool FootskateCleaner::push(const Pose& pose, std::array<bool, 2> planted, Pose& output) {
   if (end_ >= 0) reset();
   frame(newest_ + 1).pose = pose;
-  take(planted);
+  frame(newest_ + 1).given = planted;
+  take();
   return produce(output);
 }
 
@@ -175,17 +185,19 @@ bool FootskateCleaner::flush(Pose& output) {
   // The last pose is taken to last: a foot that stands at the end stands on.
   for (bool is_written = false; !is_written; is_written = produce(output)) {
     frame(newest_ + 1).pose = frame(newest_).pose;
-    take(last_flags_);
+    frame(newest_ + 1).given = frame(newest_).given;
+    take();
   }
   return true;
 }
 
-void FootskateCleaner::take(const std::array<bool, 2>& planted) {
+void FootskateCleaner::take() {
   ++newest_;
   locate(frame(newest_));
-  settle_flags(planted);
-  const int decided = newest_ - steady_ - window_;
-  if (decided >= 0) decide(decided);
+  const int decided = newest_ - decision_;
+  if (decided < 0) return;
+  settle_flags(decided);
+  decide(decided);
 }
 
 bool FootskateCleaner::produce(Pose& output) {
@@ -234,14 +246,25 @@ void FootskateCleaner::locate(Frame& frame) const {
   }
 }
 
-/// Changes last only if the flag stays as it is for steady_ frames more.
-void FootskateCleaner::settle_flags(const std::array<bool, 2>& planted) {
-  const int index = newest_ - steady_;
-  for (const std::size_t foot : {0, 1}) {
-    run_[foot] = newest_ > 0 && planted[foot] == last_flags_[foot] ? run_[foot] + 1 : 1;
-    last_flags_[foot] = planted[foot];
-    if (run_[foot] > steady_) steady_flags_[foot] = planted[foot];
-    if (index >= 0) frame(index).planted[foot] = steady_flags_[foot];
+/// Whether a foot is given as planted in so many frames that they are a footplant.
+bool FootskateCleaner::begins_plant(int foot, int index) const {
+  for (int f = index; f < index + shortest_plant_; ++f) {
+    if (!frame(f).given[at(foot)]) return false;
+  }
+  return true;
+}
+
+/// A change of the flags counts only if what they change to lasts.
+void FootskateCleaner::settle_flags(int index) {
+  for (const int foot : {0, 1}) {
+    bool& planted = steady_flags_[at(foot)];
+    if (!planted) {
+      planted = begins_plant(foot, index);
+    } else if (!frame(index).given[at(foot)]) {
+      planted = false;
+      for (int f = index + 1; f < index + shortest_gap_ && !planted; ++f) planted = begins_plant(foot, f);
+    }
+    frame(index).planted[at(foot)] = planted;
   }
 }
 
@@ -284,7 +307,8 @@ void FootskateCleaner::begin_plant(int foot, int index) {
   Vector3d place = Vector3d::Zero();
   Eigen::Vector4d rotation = Eigen::Vector4d::Zero();
   double place_weights = 0.0, rotation_weights = 0.0, rise = 0.0;
-  for (int f = index; f <= index + window_ && frame(f).planted[at(foot)]; ++f) {
+  for (int f = index; f <= index + window_; ++f) {
+    if (!frame(f).given[at(foot)]) continue;
     const LegFrame& leg = frame(f).legs[at(foot)];
     const double weight = toe_weight(foot, f, false), whole_weight = toe_weight(foot, f, true);
     place += weight * leg.toe;
@@ -315,11 +339,11 @@ FootskateCleaner::Correction FootskateCleaner::wanted(int foot, int index) const
   const double foot_length = (leg.toe - leg.ankle).norm();
   if (foot_length < 1e-6) return correction;
   const double rise = (leg.ankle.y() - leg.toe.y() - hold.rise) / foot_length;
-  // Of a rise r, r (1 - held) is left: a slope from 0 to about 1, so that the heel lifts off without a jerk.
-  const double free = kHeelRise / (kHeelRise + std::max(0.0, rise));
+  // What is left of a rise grows with a slope from 0 to about 1, so that the heel lifts off without a jerk.
+  const double risen = std::max(0.0, rise) / kHeelRise;
   const Vector3d turn = math::log_map(hold.rotation * leg.foot.conjugate());
   const double share = turn.squaredNorm() / (kMostTurn * kMostTurn);
-  correction.tail<3>() = free * free / std::sqrt(std::sqrt(1.0 + share * share)) * turn;
+  correction.tail<3>() = turn / ((1.0 + risen * risen) * std::sqrt(std::sqrt(1.0 + share * share)));
   return correction;
 }
 
@@ -382,7 +406,7 @@ int FootskateCleaner::next_landing(int foot, int index) const {
 FootskateCleaner::Correction FootskateCleaner::change_after(int foot, int index) const {
   const Frame &here = frame(index), &next = frame(index + 1);
   // The footplant that was decided last is the one that is held now; of later frames nothing is stored yet.
-  if (index == newest_ - steady_ - window_) return wanted(foot, index + 1) - here.wanted[at(foot)];
+  if (index == newest_ - decision_) return wanted(foot, index + 1) - here.wanted[at(foot)];
   if (!next.planted[at(foot)]) return Correction::Zero();
   return next.wanted[at(foot)] - here.wanted[at(foot)];
 }

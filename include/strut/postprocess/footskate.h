@@ -24,14 +24,14 @@ namespace strut::postprocess {
 /// How feet are held.
 struct FootskateOptions {
   double look_ahead = 0.3;  ///< latency, over which corrections are blended in and out [s], (0, 2], 3 frames or more
-  double shortest_run =
-      0.05;                   ///< plants and gaps in them shorter than this are ignored, one frame always [s], [0, 0.5]
-  double max_stretch = 0.02;  ///< of a leg's bones, instead of a straight knee [share of their length], [0, 0.1]
-  double reach = 0.99;        ///< the body is lowered until a held foot's leg is at most this long, or as long as it
-                              ///< was in the input [share of the straight leg], [0.5, 1]
-  double body_follows = 0.1;  ///< time in which the body is shifted after the feet it stands on [s], [0, 10]
-  double max_drag = 0.15;     ///< a foot that is dragged farther than this from the body's shift is let go, to be held
-                              ///< anew [leg lengths], (0, 1]
+  double shortest_plant = 0.05;  ///< shorter footplants are ignored; one frame always [s], [0, 0.5]
+  double shortest_gap = 0.13;    ///< shorter gaps in footplants are closed; one frame always [s], [0, 0.5]
+  double max_stretch = 0.02;     ///< of a leg's bones, instead of a straight knee [share of their length], [0, 0.1]
+  double reach = 0.99;           ///< the body is lowered until a held foot's leg is at most this long, or as long as it
+                                 ///< was in the input [share of the straight leg], [0.5, 1]
+  double body_follows = 0.1;     ///< time in which the body is shifted after the feet it stands on [s], [0, 10]
+  double max_drag = 0.15;  ///< a foot that is dragged farther than this from the body's shift is let go, to be held
+                           ///< anew [leg lengths], (0, 1]
 };
 
 /// Holds the planted feet of a stream of poses. One per character; copies are snapshots.
@@ -74,6 +74,7 @@ class FootskateCleaner {
     Pose pose;
     Eigen::Quaterniond above_pelvis;
     std::array<LegFrame, 2> legs;
+    std::array<bool, 2> given{};         // planted, as pushed
     std::array<bool, 2> planted{};       // cleared of flicker, then of what was let go
     std::array<Correction, 2> wanted{};  // where planted
   };
@@ -92,10 +93,11 @@ class FootskateCleaner {
     Eigen::Vector3d bend_axis = Eigen::Vector3d::Zero();                        // of the knee, in the thigh's frame
   };
 
-  void take(const std::array<bool, 2>& planted);
+  void take();
   bool produce(Pose& output);
   void locate(Frame& frame) const;
-  void settle_flags(const std::array<bool, 2>& planted);
+  void settle_flags(int index);
+  [[nodiscard]] bool begins_plant(int foot, int index) const;
   void decide(int index);
   void begin_plant(int foot, int index);
   [[nodiscard]] Correction wanted(int foot, int index) const;
@@ -124,7 +126,10 @@ class FootskateCleaner {
   int pelvis_;
   std::vector<int> to_pelvis_;              // joints from the root to the pelvis
   std::array<std::vector<int>, 2> to_hip_;  // joints below the pelvis down to the hip, without it
-  int latency_, steady_, window_, ramp_;    // [frames]: all, for flicker, to see where a foot stands, for blending
+  int latency_;                             // [frames], of which
+  int decision_, ramp_;                     // to see where a foot stands, and for how long; for blending
+  int window_;                              // of decision_, what its place is taken from
+  int shortest_plant_, shortest_gap_;       // [frames]
   int release_;                             // for a foot to come back to its path [frames]
   int least_reach_;                         // half width of the filter that keeps the body low enough [frames]
   std::vector<double> kernel_;              // of smoothing the body's shift
@@ -136,8 +141,7 @@ class FootskateCleaner {
   std::array<Hold, 2> holds_;
   std::array<Blend, 2> blends_;
   std::array<int, 2> let_go_{};
-  std::array<bool, 2> last_flags_{}, steady_flags_{};
-  std::array<int, 2> run_{};  // frames for which the flags have been as they are
+  std::array<bool, 2> steady_flags_{};
   Eigen::Vector3d last_shift_ = Eigen::Vector3d::Zero();
   int newest_ = -1, next_output_ = 0;
   int end_ = -1;  // frames of the stream once it is flushed
