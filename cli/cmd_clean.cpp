@@ -5,8 +5,9 @@
 #include "input_files.h"
 #include "terminal.h"
 
-#include <array>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,8 +39,8 @@ int parse_foot(const std::string& path, const std::string& word) {
 }
 
 int frame_number(const std::string& path, double number) {
-  if (number != static_cast<int>(number))
-    throw BadInput(path, fmt::format("expected a frame number, found {}", number));
+  const bool is_one = number >= 0.0 && number <= std::numeric_limits<int>::max() && number == std::floor(number);
+  if (!is_one) throw BadInput(path, fmt::format("expected a frame number, found {}", number));
   return static_cast<int>(number);
 }
 
@@ -55,7 +56,7 @@ std::vector<motion::Footplant> read_footplants(const std::string& path, const st
     const auto row = static_cast<Eigen::Index>(i);
     plants.push_back({parse_foot(path, feet.labels[i]), frame_number(path, frames.values(row, 0)),
                       frame_number(path, frames.values(row, 1))});
-    if (plants.back().begin < 0 || plants.back().end <= plants.back().begin || plants.back().end > num_frames) {
+    if (plants.back().end <= plants.back().begin || plants.back().end > num_frames) {
       throw BadInput(path, fmt::format("frames {} to {} are not inside {}, which has {}", plants.back().begin,
                                        plants.back().end, clip, num_frames));
     }

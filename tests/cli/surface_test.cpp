@@ -66,8 +66,8 @@ std::set<std::string> completions(const std::string& words) {
 }
 
 TEST(Program, ListsItsCommands) {
-  EXPECT_THAT(commands(), testing::IsSupersetOf({"pair", "learn", "translate", "align", "info", "convert", "measure",
-                                                 "sysid", "demo", "completion"}));
+  EXPECT_THAT(commands(), testing::IsSupersetOf({"pair", "learn", "translate", "clean", "align", "info", "convert",
+                                                 "measure", "sysid", "demo", "completion"}));
 }
 
 TEST(Program, DescribesEveryCommandAndOption) {
