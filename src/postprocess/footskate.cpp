@@ -37,7 +37,7 @@ constexpr double kLift = 0.012;
 constexpr double kMostTurn = 0.4;     // a foot is not turned by more than this, however far the body turns on it [rad]
 constexpr double kSlack = 0.004;      // longer than it was a leg may be by this share before the body comes down
 constexpr double kMostDrop = 0.08;    // of the body, to let legs reach [leg lengths]
-constexpr double kReturn = 0.1;       // of its shift the body gives up with each footplant,
+constexpr double kReturn = 0.25;      // of its shift the body gives up with each footplant,
 constexpr double kMostReturn = 0.04;  // but no more than this [leg lengths]
 // How much of a knee's way of bending is remembered for when it is straight, and how bent it must be to know better.
 constexpr double kAxisMemory = 0.05;

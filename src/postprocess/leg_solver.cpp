@@ -11,7 +11,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kShortest = 1e-6;       // bones shorter than this have no direction [m]
-constexpr double kDampedFrom = 0.98;     // share of the straight leg from which extension is damped
+constexpr double kDampedFrom = 0.92;     // share of the straight leg from which extension is damped
 constexpr double kStraightest = 0.9999;  // of the straight leg: closer than this the knee's angle is all rounding
 
 /// A share of the straight leg that never reaches 1: `share` up to `from`, beyond it ever less, with a smooth join.
