@@ -100,11 +100,10 @@ std::vector<double> bump(int half) {
 }
 
 /// One frame along the cubic from (value, slope) to (goal, goal_slope) in `frames` frames, slopes per frame.
-template <typename Vector>
-void step_towards(const Vector& goal, const Vector& goal_slope, int frames, Vector& value, Vector& slope) {
+void step_towards(const Vector3d& goal, const Vector3d& goal_slope, int frames, Vector3d& value, Vector3d& slope) {
   const double n = frames, s = 1.0 / n, s2 = s * s, s3 = s2 * s;
-  const Vector way = goal - value;
-  const Vector next = value + (3 * s2 - 2 * s3) * way + n * ((s3 - 2 * s2 + s) * slope + (s3 - s2) * goal_slope);
+  const Vector3d way = goal - value;
+  const Vector3d next = value + (3 * s2 - 2 * s3) * way + n * ((s3 - 2 * s2 + s) * slope + (s3 - s2) * goal_slope);
   slope = (6 * s - 6 * s2) * s * way + (3 * s2 - 4 * s + 1) * slope + (3 * s2 - 2 * s) * goal_slope;
   value = next;
 }
@@ -281,7 +280,7 @@ void FootskateCleaner::decide(int index) {
     if (!hold.planted) continue;
     here.wanted[at(foot)] = wanted(foot, index);
     const LegFrame& leg = here.legs[at(foot)];
-    const Vector3d dragged = here.wanted[at(foot)].head<3>() - slot(shift_, index - 1);
+    const Vector3d dragged = here.wanted[at(foot)].move - slot(shift_, index - 1);
     const bool is_too_far = horizontal(dragged).norm() > options_.max_drag * leg_length(leg.hip, leg.knee, leg.ankle);
     if (!is_too_far) continue;
     here.planted[at(foot)] = hold.planted = false;
@@ -332,10 +331,11 @@ void FootskateCleaner::begin_plant(int foot, int index) {
 FootskateCleaner::Correction FootskateCleaner::wanted(int foot, int index) const {
   const Hold& hold = holds_[at(foot)];
   const LegFrame& leg = frame(index).legs[at(foot)];
-  Correction correction = Correction::Zero();
-  correction.head<3>() = hold.place - leg.toe;
-  const double lift = std::max(0.0, -correction.y()) / (kLift * leg_length(leg.hip, leg.knee, leg.ankle) + kNothing);
-  correction.y() /= 1.0 + lift * lift;
+  Correction correction;
+  correction.move = hold.place - leg.toe;
+  const double lift =
+      std::max(0.0, -correction.move.y()) / (kLift * leg_length(leg.hip, leg.knee, leg.ankle) + kNothing);
+  correction.move.y() /= 1.0 + lift * lift;
   const double foot_length = (leg.toe - leg.ankle).norm();
   if (foot_length < 1e-6) return correction;
   const double rise = (leg.ankle.y() - leg.toe.y() - hold.rise) / foot_length;
@@ -343,7 +343,7 @@ FootskateCleaner::Correction FootskateCleaner::wanted(int foot, int index) const
   const double risen = std::max(0.0, rise) / kHeelRise;
   const Vector3d turn = math::log_map(hold.rotation * leg.foot.conjugate());
   const double share = turn.squaredNorm() / (kMostTurn * kMostTurn);
-  correction.tail<3>() = turn / ((1.0 + risen * risen) * std::sqrt(std::sqrt(1.0 + share * share)));
+  correction.turn = turn / ((1.0 + risen * risen) * std::sqrt(std::sqrt(1.0 + share * share)));
   return correction;
 }
 
@@ -351,8 +351,8 @@ FootskateCleaner::Correction FootskateCleaner::wanted(int foot, int index) const
 double FootskateCleaner::drop_to_reach(int foot, int index) const {
   const LegFrame& leg = frame(index).legs[at(foot)];
   const Correction& correction = frame(index).wanted[at(foot)];
-  const Quaterniond turn = math::exp_map(correction.tail<3>());
-  const Vector3d ankle = leg.toe + correction.head<3>() - turn * (leg.toe - leg.ankle);
+  const Quaterniond turn = math::exp_map(correction.turn);
+  const Vector3d ankle = leg.toe + correction.move - turn * (leg.toe - leg.ankle);
   const Vector3d way = ankle - leg.hip - horizontal(slot(shift_, index));
   const double length = leg_length(leg.hip, leg.knee, leg.ankle);
   const double as_it_was = std::min((1.0 + kSlack) * (leg.ankle - leg.hip).norm(), length);
@@ -369,7 +369,7 @@ void FootskateCleaner::follow(int index) {
   Vector3d feet = Vector3d::Zero();
   const int standing = int{here.planted[0]} + int{here.planted[1]};
   for (const std::size_t foot : {0, 1}) {
-    if (here.planted[foot]) feet += horizontal(here.wanted[foot].head<3>()) / standing;
+    if (here.planted[foot]) feet += horizontal(here.wanted[foot].move) / standing;
   }
   if (standing > 0) shift += follow_gain_ * (feet - shift);
   slot(shift_, index) = shift;
@@ -402,42 +402,46 @@ int FootskateCleaner::next_landing(int foot, int index) const {
   return -1;
 }
 
-/// How the correction of a foot that comes to stand at `index` goes on.
+/// How the correction of a planted foot goes on after `index`.
 FootskateCleaner::Correction FootskateCleaner::change_after(int foot, int index) const {
-  const Frame &here = frame(index), &next = frame(index + 1);
+  const Frame& next = frame(index + 1);
   // The footplant that was decided last is the one that is held now; of later frames nothing is stored yet.
-  if (index == newest_ - decision_) return wanted(foot, index + 1) - here.wanted[at(foot)];
-  if (!next.planted[at(foot)]) return Correction::Zero();
-  return next.wanted[at(foot)] - here.wanted[at(foot)];
+  const bool is_last = index == newest_ - decision_;
+  if (!is_last && !next.planted[at(foot)]) return {};
+  const Correction& from = frame(index).wanted[at(foot)];
+  const Correction to = is_last ? wanted(foot, index + 1) : next.wanted[at(foot)];
+  return {to.move - from.move, to.turn - from.turn};
 }
 
-void FootskateCleaner::blend(int foot, int index, const Vector3d& shift) {
+void FootskateCleaner::hold(int foot, int index) {
   Blend& blend = blends_[at(foot)];
-  const Frame& here = frame(index);
-  if (here.planted[at(foot)]) {
-    const Correction& now = here.wanted[at(foot)];
-    blend.velocity = index > 0 ? Correction(now - blend.correction) : Correction::Zero();
-    blend.correction = now;
-    blend.since_planted = 0;
-    return;
-  }
+  const Correction& now = frame(index).wanted[at(foot)];
+  blend.velocity = {};
+  if (index > 0) blend.velocity = {now.move - blend.correction.move, now.turn - blend.correction.turn};
+  blend.correction = now;
+  blend.since_planted = 0;
+}
+
+/// A foot in the air moves towards its next place; where none is in sight, back to its path, as the body is shifted.
+void FootskateCleaner::blend(int foot, int index, const Vector3d& shift) {
+  if (frame(index).planted[at(foot)]) return hold(foot, index);
+  Blend& blend = blends_[at(foot)];
   ++blend.since_planted;
-  const int landing = next_landing(foot, index);
-  Correction goal = Correction::Zero(), velocity = Correction::Zero();
-  if (landing >= 0) {
+  int frames = std::max(1, release_ - blend.since_planted + 1);
+  Correction goal{horizontal(shift), Vector3d::Zero()};
+  Correction velocity{horizontal(shift - last_shift_), Vector3d::Zero()};
+  if (const int landing = next_landing(foot, index); landing >= 0) {
+    frames = landing - index + 1;
     goal = frame(landing).wanted[at(foot)];
     velocity = change_after(foot, landing);
-  } else {
-    goal.head<3>() = horizontal(shift);
-    velocity.head<3>() = horizontal(shift - last_shift_);
   }
   if (index == 0) {
     blend.correction = goal;
-    blend.since_planted = ramp_;
+    blend.since_planted = release_;
     return;
   }
-  const int frames = landing >= 0 ? landing - index + 1 : std::max(1, release_ - blend.since_planted + 1);
-  step_towards(goal, velocity, frames, blend.correction, blend.velocity);
+  step_towards(goal.move, velocity.move, frames, blend.correction.move, blend.velocity.move);
+  step_towards(goal.turn, velocity.turn, frames, blend.correction.turn, blend.velocity.turn);
 }
 
 /// Solves a leg for its foot's correction and the body's shift.
@@ -453,17 +457,16 @@ void FootskateCleaner::pose_leg(int foot, const Frame& frame, const Vector3d& sh
   if (blend.bend_axis.isZero(0.0)) blend.bend_axis = bend;
   blend.bend_axis += kAxisMemory * (bend - blend.bend_axis);
   const double remembered = blend.bend_axis.norm();
-  const Vector3d correction = blend.correction.head<3>();
-  const bool is_moved =
-      (correction - shift).squaredNorm() + blend.correction.tail<3>().squaredNorm() > kNothing * kNothing;
+  const Correction& correction = blend.correction;
+  const bool is_moved = (correction.move - shift).squaredNorm() + correction.turn.squaredNorm() > kNothing * kNothing;
   if (!is_moved || remembered < kNothing) return;
   const Vector3d usual = blend.bend_axis / remembered;
   const double usual_sine = std::max(0.0, bend.dot(usual));
   const Vector3d across = bend - bend.dot(usual) * usual;
   const Vector3d axis = usual * (usual_sine + kStraightSine) + across * (usual_sine / (usual_sine + kStraightSine));
 
-  const Quaterniond foot_turn = math::exp_map(blend.correction.tail<3>());
-  const Vector3d ankle = leg.toe + correction - foot_turn * (leg.toe - leg.ankle);
+  const Quaterniond foot_turn = math::exp_map(correction.turn);
+  const Vector3d ankle = leg.toe + correction.move - foot_turn * (leg.toe - leg.ankle);
   const auto solution =
       detail::solve_leg(thigh, shin, ankle - leg.hip - shift, thigh_rotation * axis.normalized(), options_.max_stretch);
   if (!solution.changed) return;

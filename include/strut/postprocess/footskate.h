@@ -63,8 +63,10 @@ class FootskateCleaner {
   [[nodiscard]] const std::array<int, 2>& frames_let_go() const noexcept { return let_go_; }
 
  private:
-  using Correction = Eigen::Matrix<double, 6, 1>;  // of a foot: how the toe moves [m], how the foot turns [rad]
-
+  /// What is done to a foot: how its toe moves [m], how it turns [rad].
+  struct Correction {
+    Eigen::Vector3d move = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
+  };
   /// Where a leg is in the world.
   struct LegFrame {
     Eigen::Vector3d hip, knee, ankle, toe;
@@ -88,9 +90,9 @@ class FootskateCleaner {
   };
   /// What was last done to a foot.
   struct Blend {
-    Correction correction = Correction::Zero(), velocity = Correction::Zero();  // and its change per frame
-    int since_planted = 0;                                                      // [frames]
-    Eigen::Vector3d bend_axis = Eigen::Vector3d::Zero();                        // of the knee, in the thigh's frame
+    Correction correction, velocity;                      // and its change per frame
+    int since_planted = 0;                                // [frames]
+    Eigen::Vector3d bend_axis = Eigen::Vector3d::Zero();  // of the knee, in the thigh's frame
   };
 
   void take();
@@ -106,6 +108,7 @@ class FootskateCleaner {
   void follow(int index);
   [[nodiscard]] Eigen::Vector3d shift_at(int index) const;
   [[nodiscard]] Correction change_after(int foot, int index) const;
+  void hold(int foot, int index);
   void blend(int foot, int index, const Eigen::Vector3d& shift);
   [[nodiscard]] int next_landing(int foot, int index) const;
   void pose_leg(int foot, const Frame& frame, const Eigen::Vector3d& shift, Pose& output);
