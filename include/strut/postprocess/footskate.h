@@ -59,7 +59,8 @@ class FootskateCleaner {
   /// Forgets everything pushed.
   void reset();
 
-  /// Frames of the output so far in which a planted foot was let go (FootskateOptions::max_drag), left and right.
+  /// Frames decided so far (look_ahead() ahead of the output at most) in which a planted foot was let go
+  /// (FootskateOptions::max_drag), left and right.
   [[nodiscard]] const std::array<int, 2>& frames_let_go() const noexcept { return let_go_; }
 
  private:
@@ -101,6 +102,7 @@ class FootskateCleaner {
   void settle_flags(int index);
   [[nodiscard]] bool begins_plant(int foot, int index) const;
   void decide(int index);
+  void let_go(int foot, int index);
   void begin_plant(int foot, int index);
   [[nodiscard]] Correction wanted(int foot, int index) const;
   [[nodiscard]] double drop_to_reach(int foot, int index) const;
@@ -111,6 +113,8 @@ class FootskateCleaner {
   void hold(int foot, int index);
   void blend(int foot, int index, const Eigen::Vector3d& shift);
   [[nodiscard]] int next_landing(int foot, int index) const;
+  Eigen::Vector3d knee_axis(Blend& blend, const Eigen::Quaterniond& thigh_rotation, const Eigen::Vector3d& thigh,
+                            const Eigen::Vector3d& shin) const;
   void pose_leg(int foot, const Frame& frame, const Eigen::Vector3d& shift, Pose& output);
 
   [[nodiscard]] Frame& frame(int index) { return frames_[static_cast<std::size_t>(index) % frames_.size()]; }
@@ -136,7 +140,7 @@ class FootskateCleaner {
   int release_;                             // for a foot to come back to its path [frames]
   int least_reach_;                         // half width of the filter that keeps the body low enough [frames]
   std::vector<double> kernel_;              // of smoothing the body's shift
-  double follow_gain_;
+  double follow_gain_, axis_gain_;
 
   std::vector<Frame> frames_;            // ring: from the next output to the newest input
   std::vector<Eigen::Vector3d> shift_;   // ring: of the body, horizontally after its feet, vertically to reach
