@@ -6,6 +6,7 @@
 
 #include <strut/motion/legs.h>
 #include <strut/motion/resample.h>
+#include <strut/representation/extrapolation.h>
 
 namespace strut::learn {
 namespace {
@@ -45,6 +46,15 @@ Examples represent_examples(const std::vector<Motion>& inputs, const std::vector
     pair.output_frames = rescaled(pair.output_frames, outputs[o], output_clips[o]);
   }
   return examples;
+}
+
+FrameMatrix with_lead_in(const FrameMatrix& clip, const FrameRange& frames, int lead_in) {
+  const int real = std::min(frames.begin, lead_in);
+  const int count = real + frames.num_frames();
+  FrameMatrix rows(lead_in - real + count, clip.cols());
+  rows.topRows(lead_in - real) = representation::extrapolate_back(clip, lead_in - real);
+  rows.bottomRows(count) = clip.middleRows(frames.begin - real, count);
+  return rows;
 }
 
 }  // namespace strut::learn

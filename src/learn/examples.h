@@ -29,4 +29,8 @@ struct Examples {
 Examples represent_examples(const std::vector<Motion>& inputs, const std::vector<Motion>& outputs,
                             const std::vector<ClipPair>& pairs, double frame_rate);
 
+/// The rows of `frames` of a clip (frames x dofs) after the `lead_in` rows before them, the clip continued backward
+/// where it does not reach.
+FrameMatrix with_lead_in(const FrameMatrix& clip, const FrameRange& frames, int lead_in);
+
 }  // namespace strut::learn

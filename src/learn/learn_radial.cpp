@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "learn/learn_radial.h"
 
+#include "learn/covered_frames.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 
 #include <tbb/parallel_for.h>
 
@@ -15,7 +16,6 @@
 namespace strut::learn {
 namespace {
 
-using sysid::RadialSums;
 using sysid::Role;
 
 std::vector<int> lags_in_frames(const RadialOptions& options, double frame_rate) {
@@ -25,33 +25,27 @@ std::vector<int> lags_in_frames(const RadialOptions& options, double frame_rate)
   return lags;
 }
 
-/// What the basis sees at the last `count` frames of `input` (frames x dofs + contexts): (features x count).
-Eigen::MatrixXd features_of(const FrameMatrix& input, Eigen::Index num_dofs, const std::vector<int>& lags,
-                            Eigen::Index count) {
-  const Eigen::Index contexts = input.cols() - num_dofs;
-  Eigen::MatrixXd features(contexts * static_cast<Eigen::Index>(lags.size()), count);
-  for (std::size_t l = 0; l < lags.size(); ++l) {
-    for (Eigen::Index t = 0; t < count; ++t) {
-      // A lead-in shorter than the lag is taken to have stood at its first frame.
-      const Eigen::Index row = std::max<Eigen::Index>(0, input.rows() - count + t - lags[l]);
-      features.col(t).segment(static_cast<Eigen::Index>(l) * contexts, contexts) =
-          input.row(row).tail(contexts).transpose();
-    }
+/// Where `counts` are not zero, in order.
+std::vector<Eigen::Index> places_of(const Eigen::VectorXd& counts) {
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index t = 0; t < counts.size(); ++t) {
+    if (counts[t] > 0.0) places.push_back(t);
   }
-  return features;
+  return places;
 }
 
-/// A stretch of input that one or more pairs share.
-struct InputStretch {
-  Eigen::MatrixXd features;  // (features x frames)
-  Eigen::MatrixXd input;     // normalized (dofs x frames)
-};
-
-/// A map fitted to some of the pairs, and its functions on all.
+/// A map fitted to some of the pairs.
 struct Fitted {
   sysid::RadialBasis basis;
-  std::vector<Eigen::MatrixXd> activations;  // per stretch (centres x frames)
-  Eigen::MatrixXd weights;                   // of output (dofs + 1) above input (dofs)
+  Eigen::MatrixXd weights;  // of output (dofs + 1) above input (dofs)
+};
+
+/// The examples that a map is fitted to: every covered frame that pairs learnt from have, once.
+struct RadialExamples {
+  std::vector<Eigen::Index> frames;  // columns of the covered frames
+  Eigen::VectorXd pairs, stretches;  // how many have the frame
+  std::vector<Eigen::Index> starts;  // of the basis's centres: places in `frames`
+  Eigen::MatrixXd targets;           // mean output over the pairs (dofs + 1) above input (dofs)
 };
 
 /// Sums of squares and products of details on left-out pairs, in the units of the degrees of freedom.
@@ -66,46 +60,34 @@ struct DetailSums {
         part_squares(products) {}
 };
 
-/// Fits of every degree of freedom by itself, pooled over pairs.
-class DofFits {
- public:
-  explicit DofFits(Eigen::Index dofs) : sums_(static_cast<std::size_t>(dofs), sysid::FitSum(1)) {}
-
-  /// (frames x dofs) each.
-  void add(const FrameMatrix& wanted, const FrameMatrix& predicted) {
-    for (std::size_t d = 0; d < sums_.size(); ++d) {
-      const auto column = static_cast<Eigen::Index>(d);
-      sums_[d].add(FrameMatrix(wanted.col(column)), FrameMatrix(predicted.col(column)));
-    }
-  }
-
-  [[nodiscard]] Eigen::VectorXd fits() const {
-    Eigen::VectorXd fits(static_cast<Eigen::Index>(sums_.size()));
-    for (std::size_t d = 0; d < sums_.size(); ++d) fits[static_cast<Eigen::Index>(d)] = sums_[d].fit();
-    return fits;
-  }
-
- private:
-  std::vector<sysid::FitSum> sums_;
-};
-
 class RadialLearner {
  public:
-  RadialLearner(const Examples& examples, const std::vector<AlignedPair>& aligned,
-                const std::vector<NormalizedPair>& pairs, const Scalings& scalings, const RadialOptions& options)
+  RadialLearner(const Examples& examples, const std::vector<AlignedPair>& aligned, const Scalings& scalings,
+                const Eigen::MatrixXd& context, const RadialOptions& options)
       : examples_(examples),
-        pairs_(pairs),
         scalings_(scalings),
         options_(options),
         dofs_(scalings.input.num_dofs()),
         lags_(lags_in_frames(options, examples.frame_rate)),
-        parts_(detail_parts(examples.input.representation, examples.output.representation)) {
-    find_stretches(aligned);
+        parts_(detail_parts(examples.input.representation, examples.output.representation)),
+        frames_(cover_frames(examples, aligned, scalings, context, lags_)),
+        outputs_(aligned.size()) {
+    tbb::parallel_for(std::size_t{0}, aligned.size(),
+                      [&](std::size_t i) { outputs_[i] = scalings.output.normalize(aligned[i].output); });
+    find_stretches();
   }
 
   LearntRadialMap learn(const sysid::LeaveOut& rounds) {
-    const Fitted fitted = fit(std::vector<Role>(pairs_.size(), Role::kLearn));
-    const auto [details, left_out_fits] = judge(rounds, fitted);
+    const std::vector<Role> everything(outputs_.size(), Role::kLearn);
+    const Fitted fitted = fit(everything);
+    const Eigen::MatrixXd predicted = predict(fitted, everything, Role::kLearn);
+    const auto [details, left_out_fits] = judge(rounds, predicted);
+    sysid::FitSum fits(static_cast<int>(dofs_) + 1);
+    std::vector<Eigen::VectorXd> timing;
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      fits.add(outputs_[i], output_of(predicted, i));
+      timing.emplace_back(predicted.row(dofs_).segment(frames_.of_pair[i].first, frames_.of_pair[i].count));
+    }
     RadialMap map{lags_,
                   fitted.basis,
                   fitted.weights.bottomRows(dofs_),
@@ -114,107 +96,129 @@ class RadialLearner {
                   spread_of(details),
                   0.0,
                   share_of(details)};
-    std::vector<Eigen::VectorXd> timing;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) timing.emplace_back(predict(fitted, i).col(dofs_));
-    return {std::move(map), block_reports(left_out_fits, fits_of(fitted)), std::move(timing)};
+    return {std::move(map), block_reports(left_out_fits, fits.fit_per_output()), std::move(timing)};
   }
 
  private:
-  void find_stretches(const std::vector<AlignedPair>& aligned) {
-    std::map<std::tuple<int, int, int>, std::size_t> known;
-    for (std::size_t i = 0; i < aligned.size(); ++i) {
-      const AlignedPair& pair = aligned[i];
-      const auto [place, is_new] =
-          known.try_emplace({pair.input_clip, pair.input_frames.begin, pair.input_frames.end}, stretches_.size());
+  void find_stretches() {
+    std::map<Columns, std::size_t> known;
+    for (const Columns& columns : frames_.of_pair) {
+      const auto [place, is_new] = known.try_emplace(columns, stretches_.size());
       stretch_of_.push_back(place->second);
-      if (!is_new) continue;
-      const Eigen::Index frames = pair.output.rows();
-      stretches_.push_back({features_of(pairs_[i].input, dofs_, lags_, frames),
-                            pairs_[i].input.bottomRows(frames).leftCols(dofs_).transpose()});
+      if (is_new) stretches_.push_back(columns);
     }
   }
 
-  /// Over the stretches that `counts` has pairs of: a basis that stood on what is left out would know where it is, and
-  /// nothing of it.
-  [[nodiscard]] sysid::RadialBasis fit_basis(const std::vector<double>& counts) const {
-    constexpr int kFramesPerCentre = 4;
-    Eigen::Index frames = 0;
-    for (std::size_t s = 0; s < counts.size(); ++s) frames += counts[s] > 0.0 ? stretches_[s].features.cols() : 0;
-    Eigen::MatrixXd all(stretches_.front().features.rows(), frames);
-    Eigen::Index column = 0;
-    for (std::size_t s = 0; s < counts.size(); ++s) {
-      if (counts[s] == 0.0) continue;
-      all.middleCols(column, stretches_[s].features.cols()) = stretches_[s].features;
-      column += stretches_[s].features.cols();
+  /// How many pairs of `role` have each covered frame.
+  [[nodiscard]] Eigen::VectorXd pairs_with(const std::vector<Role>& roles, Role role) const {
+    Eigen::VectorXd pairs = Eigen::VectorXd::Zero(frames_.size());
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+      if (roles[i] == role) pairs.segment(frames_.of_pair[i].first, frames_.of_pair[i].count).array() += 1.0;
     }
-    const int centres = std::min(options_.centres, std::max(1, static_cast<int>(frames) / kFramesPerCentre));
-    return sysid::fit_radial_basis(all, centres, options_.width);
+    return pairs;
+  }
+
+  /// The basis stands on the stretches that pairs learnt from have: on what is left out, it would know where that is,
+  /// and nothing of it.
+  [[nodiscard]] RadialExamples examples_of(const std::vector<Role>& roles) const {
+    const Eigen::VectorXd pairs = pairs_with(roles, Role::kLearn);
+    Eigen::VectorXd stretches = Eigen::VectorXd::Zero(frames_.size());
+    Eigen::MatrixXd outputs = Eigen::MatrixXd::Zero(dofs_ + 1, frames_.size());
+    std::vector<bool> is_learnt(stretches_.size(), false);
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      if (roles[i] != Role::kLearn) continue;
+      const auto [first, count] = frames_.of_pair[i];
+      outputs.middleCols(first, count) += outputs_[i].transpose();
+      if (!is_learnt[stretch_of_[i]]) stretches.segment(first, count).array() += 1.0;
+      is_learnt[stretch_of_[i]] = true;
+    }
+    RadialExamples found;
+    found.frames = places_of(pairs);
+    found.pairs = pairs(found.frames);
+    found.stretches = stretches(found.frames);
+    found.targets.resize(2 * dofs_ + 1, found.pairs.size());
+    found.targets << outputs(Eigen::all, found.frames) * found.pairs.cwiseInverse().asDiagonal(),
+        frames_.input(Eigen::all, found.frames);
+    for (const Eigen::Index start : starts_of(is_learnt)) {
+      found.starts.push_back(std::lower_bound(found.frames.begin(), found.frames.end(), start) - found.frames.begin());
+    }
+    return found;
+  }
+
+  /// Covered frames at even distances along the stretches learnt from, one after the other.
+  [[nodiscard]] std::vector<Eigen::Index> starts_of(const std::vector<bool>& is_learnt) const {
+    constexpr int kFramesPerCentre = 4;
+    std::vector<Eigen::Index> frames;
+    for (std::size_t s = 0; s < stretches_.size(); ++s) {
+      for (Eigen::Index t = 0; is_learnt[s] && t < stretches_[s].count; ++t) frames.push_back(stretches_[s].first + t);
+    }
+    const int most = std::max(1, static_cast<int>(frames.size()) / kFramesPerCentre);
+    std::vector<Eigen::Index> starts;
+    for (const Eigen::Index place :
+         sysid::evenly_spaced(static_cast<Eigen::Index>(frames.size()), std::min(options_.centres, most))) {
+      starts.push_back(frames[static_cast<std::size_t>(place)]);
+    }
+    return starts;
   }
 
   /// From the pairs that are to be learnt from, of which there is one.
   [[nodiscard]] Fitted fit(const std::vector<Role>& roles) const {
-    std::vector<double> counts(stretches_.size(), 0.0);
-    std::vector<Eigen::MatrixXd> outputs(stretches_.size());
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (roles[i] != Role::kLearn) continue;
-      Eigen::MatrixXd& output = outputs[stretch_of_[i]];
-      if (output.size() == 0) output = Eigen::MatrixXd::Zero(dofs_ + 1, pairs_[i].output.rows());
-      output += pairs_[i].output.transpose();
-      counts[stretch_of_[i]] += 1.0;
-    }
-    Fitted fitted{fit_basis(counts), std::vector<Eigen::MatrixXd>(stretches_.size()), {}};
-    tbb::parallel_for(std::size_t{0}, stretches_.size(), [&](std::size_t s) {
-      fitted.activations[s] = sysid::activations(fitted.basis, stretches_[s].features);
-    });
-    RadialSums sums(fitted.basis.num_centres(), 2 * dofs_ + 1);
-    for (std::size_t s = 0; s < stretches_.size(); ++s) {
-      if (counts[s] == 0.0) continue;
-      Eigen::MatrixXd targets(2 * dofs_ + 1, outputs[s].cols());
-      targets << outputs[s] / counts[s], stretches_[s].input;
-      sums.add(fitted.activations[s], targets, counts[s]);
-    }
-    fitted.weights = sysid::fit_weights(sums, options_.ridge);
-    return fitted;
+    const RadialExamples learnt = examples_of(roles);
+    const Eigen::MatrixXd features = frames_.features(Eigen::all, learnt.frames);
+    sysid::RadialBasis basis = sysid::fit_radial_basis(features, learnt.stretches, learnt.starts, options_.width);
+    const sysid::RadialSums sums = sysid::radial_sums(basis, features, learnt.targets, learnt.pairs);
+    return {std::move(basis), sysid::fit_weights(sums, options_.ridge)};
   }
 
-  [[nodiscard]] FrameMatrix predict(const Fitted& fitted, std::size_t pair) const {
-    return (fitted.weights.topRows(dofs_ + 1) * fitted.activations[stretch_of_[pair]]).transpose();
+  /// At the frames that pairs of `role` have; the others are zero (2 dofs + 1 x covered frames).
+  [[nodiscard]] Eigen::MatrixXd predict(const Fitted& fitted, const std::vector<Role>& roles, Role role) const {
+    const std::vector<Eigen::Index> frames = places_of(pairs_with(roles, role));
+    Eigen::MatrixXd predicted = Eigen::MatrixXd::Zero(2 * dofs_ + 1, frames_.size());
+    predicted(Eigen::all, frames) = sysid::predict(fitted.basis, fitted.weights, frames_.features(Eigen::all, frames));
+    return predicted;
   }
 
-  /// Detail and fit on pairs left out; where no pair can be left out, on those learnt from.
-  [[nodiscard]] std::pair<DetailSums, Eigen::VectorXd> judge(const sysid::LeaveOut& rounds, const Fitted& whole) const {
-    std::vector<std::optional<Fitted>> of_round(rounds.rounds.size());
+  /// A pair's predicted output (frames x dofs + 1).
+  [[nodiscard]] FrameMatrix output_of(const Eigen::MatrixXd& predicted, std::size_t pair) const {
+    const auto [first, count] = frames_.of_pair[pair];
+    return predicted.block(0, first, dofs_ + 1, count).transpose();
+  }
+
+  /// Detail and fit on pairs left out; where no pair can be left out, on those learnt from, as `whole` predicts them.
+  [[nodiscard]] std::pair<DetailSums, Eigen::VectorXd> judge(const sysid::LeaveOut& rounds,
+                                                             const Eigen::MatrixXd& whole) const {
+    std::vector<std::optional<Eigen::MatrixXd>> of_round(rounds.rounds.size());
     tbb::parallel_for(std::size_t{0}, of_round.size(), [&](std::size_t r) {
-      if (learns(rounds.rounds[r])) of_round[r].emplace(fit(rounds.rounds[r]));
+      const std::vector<Role>& roles = rounds.rounds[r];
+      if (learns(roles)) of_round[r] = predict(fit(roles), roles, Role::kTest);
     });
     DetailSums details(dofs_, parts_.size());
-    DofFits fits(dofs_ + 1);
-    const auto add = [&](std::size_t pair, const Fitted& from) {
-      const FrameMatrix predicted = predict(from, pair);
-      fits.add(pairs_[pair].output, predicted);
-      add_details(pair, from, predicted, details);
+    sysid::FitSum fits(static_cast<int>(dofs_) + 1);
+    const auto add = [&](std::size_t pair, const Eigen::MatrixXd& predicted) {
+      fits.add(outputs_[pair], output_of(predicted, pair));
+      add_details(pair, predicted, details);
     };
     for (std::size_t r = 0; r < of_round.size(); ++r) {
-      for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      for (std::size_t i = 0; i < outputs_.size(); ++i) {
         if (rounds.rounds[r][i] == Role::kTest && of_round[r]) add(i, *of_round[r]);
       }
     }
     if (details.frames == 0.0) {
-      for (std::size_t i = 0; i < pairs_.size(); ++i) add(i, whole);
+      for (std::size_t i = 0; i < outputs_.size(); ++i) add(i, whole);
     }
-    return {std::move(details), fits.fits()};
+    return {std::move(details), fits.fit_per_output()};
   }
 
   static bool learns(const std::vector<Role>& roles) {
     return std::find(roles.begin(), roles.end(), Role::kLearn) != roles.end();
   }
 
-  void add_details(std::size_t pair, const Fitted& fitted, const FrameMatrix& predicted, DetailSums& sums) const {
-    const InputStretch& stretch = stretches_[stretch_of_[pair]];
+  void add_details(std::size_t pair, const Eigen::MatrixXd& predicted, DetailSums& sums) const {
+    const auto [first, count] = frames_.of_pair[pair];
     const Eigen::MatrixXd input =
         scalings_.input.scale().asDiagonal() *
-        (stretch.input - fitted.weights.bottomRows(dofs_) * fitted.activations[stretch_of_[pair]]);
-    const Eigen::MatrixXd output = (pairs_[pair].output - predicted).leftCols(dofs_).transpose();
+        (frames_.input.middleCols(first, count) - predicted.block(dofs_ + 1, first, dofs_, count));
+    const Eigen::MatrixXd output = outputs_[pair].leftCols(dofs_).transpose() - predicted.block(0, first, dofs_, count);
     sums.input_squares += input.rowwise().squaredNorm();
     sums.frames += static_cast<double>(input.cols());
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -247,12 +251,6 @@ class RadialLearner {
     return share;
   }
 
-  [[nodiscard]] Eigen::VectorXd fits_of(const Fitted& fitted) const {
-    DofFits fits(dofs_ + 1);
-    for (std::size_t i = 0; i < pairs_.size(); ++i) fits.add(pairs_[i].output, predict(fitted, i));
-    return fits.fits();
-  }
-
   /// Means over the degrees of freedom of a part of the body that move.
   [[nodiscard]] std::vector<BlockReport> block_reports(const Eigen::VectorXd& left_out,
                                                        const Eigen::VectorXd& learnt) const {
@@ -283,22 +281,23 @@ class RadialLearner {
   }
 
   const Examples& examples_;
-  const std::vector<NormalizedPair>& pairs_;
   const Scalings& scalings_;
   const RadialOptions& options_;
   Eigen::Index dofs_;
   std::vector<int> lags_;
   std::vector<DetailPart> parts_;
-  std::vector<InputStretch> stretches_;
+  CoveredFrames frames_;
+  std::vector<FrameMatrix> outputs_;     // normalized, of every pair (frames x dofs + 1)
+  std::vector<Columns> stretches_;       // that one or more pairs share
   std::vector<std::size_t> stretch_of_;  // pairs
 };
 
 }  // namespace
 
 LearntRadialMap learn_radial_map(const Examples& examples, const std::vector<AlignedPair>& aligned,
-                                 const std::vector<NormalizedPair>& pairs, const Scalings& scalings,
+                                 const Scalings& scalings, const Eigen::MatrixXd& context,
                                  const RadialOptions& options) {
-  return RadialLearner(examples, aligned, pairs, scalings, options).learn(leave_out(aligned));
+  return RadialLearner(examples, aligned, scalings, context, options).learn(leave_out(aligned));
 }
 
 }  // namespace strut::learn

@@ -18,11 +18,11 @@ struct LearntRadialMap {
   std::vector<Eigen::VectorXd> timing;  ///< the normalized log time warp it gives on each pair (frames)
 };
 
-/// Fits the map to `pairs`, which are `aligned` normalized. The basis stands where the input style's contexts do;
-/// weights are ridge regressions on it; detail is measured on pairs left out. `examples` give the body and the frame
-/// rate. The result does not depend on the number of threads.
+/// Fits the map to the pairs, whose inputs `context` looks at. The basis stands where the input style's contexts do;
+/// weights are ridge regressions on it; detail is measured on pairs left out. `examples` give the clips, the body and
+/// the frame rate. The result does not depend on the number of threads.
 LearntRadialMap learn_radial_map(const Examples& examples, const std::vector<AlignedPair>& aligned,
-                                 const std::vector<NormalizedPair>& pairs, const Scalings& scalings,
+                                 const Scalings& scalings, const Eigen::MatrixXd& context,
                                  const RadialOptions& options);
 
 }  // namespace strut::learn

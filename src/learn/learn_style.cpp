@@ -122,7 +122,6 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
   const learn::Scalings scalings = learn::fit_scalings(aligned);
   const bool sees_context = options.method != LearnMethod::kPaper && options.context > 0;
   const Eigen::MatrixXd context = learn::fit_context(aligned, scalings, sees_context ? options.context : 0);
-  const std::vector<NormalizedPair> normalized = learn::normalize_pairs(aligned, scalings, context);
   StyleModelParts parts{frame_rate,
                         examples.input.representation,
                         examples.output.representation,
@@ -133,7 +132,7 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
                         {},
                         {}};
   if (options.method == LearnMethod::kRadial && context.rows() > 0) {
-    learn::LearntRadialMap learnt = learn::learn_radial_map(examples, aligned, normalized, scalings, options.radial);
+    learn::LearntRadialMap learnt = learn::learn_radial_map(examples, aligned, scalings, context, options.radial);
     report.num_centres = learnt.map.basis.num_centres();
     parts.radial_map = std::move(learnt.map);
     report.blocks = std::move(learnt.blocks);
@@ -142,6 +141,7 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
     parts.radial_map->smoothing = spectrum.smoothing;
     parts.radial_map->fast = spectrum.fast;
   } else {
+    const std::vector<NormalizedPair> normalized = learn::normalize_pairs(aligned, scalings, context);
     parts.blocks = learn::identify_blocks(examples, aligned, normalized, scalings, static_cast<int>(context.rows()),
                                           options, report, diagnostics, progress);
     calibrate_timing(aligned, timing_of(parts.blocks, normalized), parts, report);

@@ -15,7 +15,6 @@
 #include <strut/align/correspondence.h>
 #include <strut/core/error.h>
 #include <strut/learn/alignment_features.h>
-#include <strut/representation/extrapolation.h>
 
 namespace strut::learn {
 namespace {
@@ -37,15 +36,6 @@ FrameMatrix rows_of(const FrameMatrix& clip, const FrameRange& range) {
 
 bool is_too_short(const FrameRange& range, double frame_rate) {
   return range.end - range.begin < kShortestStretch * frame_rate;
-}
-
-/// The `count` rows before frame `begin`, continued backward where the clip does not reach.
-FrameMatrix lead_in_rows(const FrameMatrix& clip, int begin, int count) {
-  FrameMatrix before(count, clip.cols());
-  const int real = std::min(begin, count);
-  before.bottomRows(real) = clip.middleRows(begin - real, real);
-  before.topRows(count - real) = representation::extrapolate_back(clip, count - real);
-  return before;
 }
 
 class PairAligner {
@@ -102,12 +92,10 @@ class PairAligner {
 
   [[nodiscard]] AlignedPair warped(const ClipPair& pair, const align::Correspondence& correspondence) const {
     const FrameMatrix& clip = examples_.input.clips[static_cast<std::size_t>(pair.input_clip)];
-    const FrameMatrix u = input_of(pair), y = output_of(pair);
-    FrameMatrix output(u.rows(), y.cols() + 1);
+    const FrameMatrix y = output_of(pair);
+    FrameMatrix output(pair.input_frames.num_frames(), y.cols() + 1);
     output << align::warp_to_input(y, correspondence), correspondence.differential_warp.array().log().matrix();
-    const int lead_in = lead_in_frames(options_, examples_.frame_rate);
-    FrameMatrix input(lead_in + u.rows(), u.cols());
-    input << lead_in_rows(clip, pair.input_frames.begin, lead_in), u;
+    FrameMatrix input = with_lead_in(clip, pair.input_frames, lead_in_frames(options_, examples_.frame_rate));
     return {pair.input_clip, pair.output_clip, pair.input_frames, std::move(input), std::move(output)};
   }
 

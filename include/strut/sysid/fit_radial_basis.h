@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Where radial basis functions stand and how wide they are, from examples; and the weights that map them to outputs.
+// Fits a radial basis to examples and a linear map of it to targets. Everything runs over blocks of examples in
+// parallel; results do not depend on the number of threads.
 #pragma once
+
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -8,12 +11,19 @@
 
 namespace strut::sysid {
 
-/// Centres by k-means (Lloyd's algorithm from examples at even distances in the order given, a fixed number of rounds:
-/// the result depends on nothing else), their width a multiple of the root mean square distance of an example to its
-/// nearest centre. `features` (features x examples); `num_centres` (at least 1; no more than examples are made).
-/// Throws InvalidArgument if there is no example, a number is not finite, or an argument out of range.
-/// Cost examples x centres x features.
-RadialBasis fit_radial_basis(const Eigen::Ref<const Eigen::MatrixXd>& features, int num_centres, double width_factor);
+/// Which of `num_examples` examples, at even distances in their order, centres may start from: as many as
+/// `num_centres`, or as there are examples if those are fewer.
+std::vector<Eigen::Index> evenly_spaced(Eigen::Index num_examples, int num_centres);
+
+/// Centres by k-means (Lloyd's algorithm, a fixed number of rounds: the result depends on the arguments only), their
+/// width a multiple of the root mean square distance of an example to its nearest centre. `features`
+/// (features x examples), each example as often as `counts` (examples) says; `starts`: the examples that the centres
+/// start from.
+/// Throws InvalidArgument if there is no example or start, a number is not finite, a count is not positive, a start is
+/// no example or `width_factor` is not positive. Cost examples x centres x features.
+RadialBasis fit_radial_basis(const Eigen::Ref<const Eigen::MatrixXd>& features,
+                             const Eigen::Ref<const Eigen::VectorXd>& counts, const std::vector<Eigen::Index>& starts,
+                             double width_factor);
 
 /// The functions at every example: (centres x examples).
 Eigen::MatrixXd activations(const RadialBasis& basis, const Eigen::Ref<const Eigen::MatrixXd>& features);
@@ -22,17 +32,21 @@ Eigen::MatrixXd activations(const RadialBasis& basis, const Eigen::Ref<const Eig
 struct RadialSums {
   Eigen::MatrixXd gram;   ///< (centres x centres), lower triangle
   Eigen::MatrixXd cross;  ///< (centres x targets)
-
-  RadialSums(Eigen::Index centres, Eigen::Index targets)
-      : gram(Eigen::MatrixXd::Zero(centres, centres)), cross(Eigen::MatrixXd::Zero(centres, targets)) {}
-  /// `activations` (centres x examples), `targets` (targets x examples): the mean of `count` examples each.
-  void add(const Eigen::Ref<const Eigen::MatrixXd>& activations, const Eigen::Ref<const Eigen::MatrixXd>& targets,
-           double count = 1.0);
 };
+
+/// The sums over `features` (features x examples) and `targets` (targets x examples), each example as often as `counts`
+/// (examples) says. Cost examples x centres x (features + centres / 2 + targets).
+RadialSums radial_sums(const RadialBasis& basis, const Eigen::Ref<const Eigen::MatrixXd>& features,
+                       const Eigen::Ref<const Eigen::MatrixXd>& targets,
+                       const Eigen::Ref<const Eigen::VectorXd>& counts);
 
 /// Weights (targets x centres) that minimize the squared error plus `ridge` times the mean squared activation of a
 /// centre times the squared weights: `ridge` 0.1 draws the weights of a centre that few examples are near to towards
 /// zero. Throws InvalidArgument unless `ridge` is positive. Cost centres^3.
 Eigen::MatrixXd fit_weights(const RadialSums& sums, double ridge);
+
+/// What `weights` make of the functions at every example: (targets x examples).
+Eigen::MatrixXd predict(const RadialBasis& basis, const Eigen::MatrixXd& weights,
+                        const Eigen::Ref<const Eigen::MatrixXd>& features);
 
 }  // namespace strut::sysid
