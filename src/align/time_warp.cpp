@@ -64,10 +64,9 @@ class TimeWarp {
     best_.assign(width, kUnreachable);
     before_.assign(width, kUnreachable);
     passed_.assign(width, 0.0);
-    count_.assign(width, 0.0);
     at(best_, 0) = 0.0;
     const double energy = distances_.mean_energy();
-    tie_break_ = kTieBreak * (energy > 0.0 ? energy : 1.0);
+    for (int r = 0; r <= k_; ++r) uneven_.push_back(kTieBreak * (energy > 0.0 ? energy : 1.0) * r * r);
     for (int row = 0; row < m_; row += kBlock) advance_block(row, std::min(kBlock, m_ - row));
     return trace_back();
   }
@@ -102,36 +101,32 @@ class TimeWarp {
   /// passed[x] = summed distance of the slots [start of first's output frame, x).
   void sum_distances(const double* distance, int col, int first, int last) {
     double sum = 0.0;
+    double* passed = &at(passed_, first / s_ * s_);
     for (int j = first / s_; j * s_ <= last; ++j) {
       const double here = j * s_ < last ? distance[j - col] : 0.0;
-      for (int part = 0; part < s_ && j * s_ + part <= last; ++part) at(passed_, j * s_ + part) = sum + part * here;
+      for (int part = 0; part < s_; ++part) *passed++ = sum + part * here;
       sum += s_ * here;
     }
   }
 
-  /// The best last repetition count for every slot. The counts are kept as doubles until the end: then the loop over
-  /// slots is a few vector instructions.
+  /// The best last repetition count for every slot, without a branch: the processor could not foresee it.
   void choose(const Reach& to) {
     const int width = to.last - to.first + 1;
-    double* best = &at(best_, to.first);
-    double* count = &at(count_, to.first);
-    std::fill(best, best + width, kUnreachable);
-    for (int r = 1; r <= k_; ++r) {
-      const double* before = &at(before_, to.first - r);
-      const double uneven = tie_break_ * r * r;
-      for (int x = 0; x < width; ++x) {
-        const double candidate = before[x] + uneven;
-        const bool better = candidate < best[x];
-        best[x] = better ? candidate : best[x];
-        count[x] = better ? r : count[x];
+    row_begin_.push_back(counts_.size());
+    counts_.resize(counts_.size() + static_cast<std::size_t>(width));
+    std::uint8_t* counts = &counts_[row_begin_.back()];
+    for (int x = 0; x < width; ++x) {
+      const double* before = &at(before_, to.first + x);
+      double best = kUnreachable;
+      int count = 0;
+      for (int r = 1; r <= k_; ++r) {
+        const double candidate = before[-r] + uneven_[static_cast<std::size_t>(r)];
+        count += (r - count) & -static_cast<int>(candidate < best);
+        best = std::min(candidate, best);
       }
+      counts[x] = static_cast<std::uint8_t>(count);
+      at(best_, to.first + x) = best + at(passed_, to.first + x);
     }
-    const double* passed = &at(passed_, to.first);
-    for (int x = 0; x < width; ++x) best[x] += passed[x];
-    const std::size_t begin = counts_.size();
-    row_begin_.push_back(begin);
-    counts_.resize(begin + static_cast<std::size_t>(width));
-    for (int x = 0; x < width; ++x) counts_[begin + static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(count[x]);
   }
 
   std::vector<int> trace_back() const {
@@ -148,8 +143,8 @@ class TimeWarp {
 
   const detail::FrameDistances& distances_;
   int m_, s_, k_, slots_;
-  double tie_break_ = 0.0;
-  std::vector<double> best_, before_, passed_, count_;
+  std::vector<double> uneven_;  // what a count costs beside its distances
+  std::vector<double> best_, before_, passed_;
   FrameMatrix block_;
   std::vector<std::uint8_t> counts_;    // of every reachable slot after every input frame
   std::vector<std::size_t> row_begin_;  // where an input frame's counts begin
