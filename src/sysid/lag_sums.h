@@ -2,6 +2,8 @@
 // Sums of products of lagged signals over clips: all that least squares on finite impulse responses needs to know.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include <strut/sysid/experiment.h>
@@ -19,13 +21,13 @@ struct LagSums {
 
   LagSums(int num_inputs, int num_outputs, int taps);
 
-  /// Adds the rows of a clip after its lead-in; before its first row the input is zero. `taps` as constructed.
-  /// Cost frames x inputs^2 x taps + (inputs x taps)^2.
-  void add(const Experiment& experiment, int taps);
+  /// Adds the rows of clips after their lead-ins; before a clip's first row the input is zero. `taps` as constructed.
+  /// Cost frames x inputs^2 x taps + clips x (inputs x taps)^2.
+  void add(const std::vector<const Experiment*>& clips, int taps);
   LagSums& operator+=(const LagSums& other);
 
  private:
-  void add_products(const Eigen::MatrixXd& lagged, Eigen::Index taps);
+  void add_products(const Eigen::MatrixXd& lag_zero, const Eigen::MatrixXd& moved);
 };
 
 }  // namespace strut::sysid::detail

@@ -42,10 +42,10 @@ RoundSums::RoundSums(const std::vector<Experiment>& clips, const LeaveOut& leave
     : total(static_cast<int>(clips.front().input.cols()), static_cast<int>(clips.front().output.cols()), taps) {
   // Clips of like roles are summed first: adding sums costs more than adding a clip.
   const LagSums none = total;
+  std::map<std::vector<Role>, std::vector<const Experiment*>> clips_by_roles;
+  for (std::size_t k = 0; k < clips.size(); ++k) clips_by_roles[roles_of(leave_out, k)].push_back(&clips[k]);
   std::map<std::vector<Role>, LagSums> by_roles;
-  for (std::size_t k = 0; k < clips.size(); ++k) {
-    by_roles.try_emplace(roles_of(leave_out, k), none).first->second.add(clips[k], taps);
-  }
+  for (const auto& [roles, alike] : clips_by_roles) by_roles.try_emplace(roles, none).first->second.add(alike, taps);
   for (const auto& [roles, sums] : by_roles) total += sums;
   for (std::size_t r = 0; r < leave_out.rounds.size(); ++r) {
     const std::vector<Role>& clip_roles = leave_out.rounds[r];
