@@ -19,7 +19,8 @@ std::map<int, FrameRange> covered_ranges(const std::vector<AlignedPair>& aligned
 }
 
 /// `contexts` (contexts x lead-in and frames) end with those of the last of `features` (lags x contexts x frames).
-void fill_features(const Eigen::MatrixXd& contexts, const std::vector<int>& lags, Eigen::Ref<Eigen::MatrixXd> features) {
+void fill_features(const Eigen::MatrixXd& contexts, const std::vector<int>& lags,
+                   Eigen::Ref<Eigen::MatrixXd> features) {
   const Eigen::Index lead_in = contexts.cols() - features.cols();
   for (std::size_t l = 0; l < lags.size(); ++l) {
     for (Eigen::Index t = 0; t < features.cols(); ++t) {

@@ -12,8 +12,6 @@ namespace strut::learn {
 /// Neighbouring columns of CoveredFrames: a stretch of a clip.
 struct Columns {
   Eigen::Index first = 0, count = 0;
-
-  friend auto operator<=>(const Columns&, const Columns&) = default;
 };
 
 struct CoveredFrames {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -101,9 +102,9 @@ class RadialLearner {
 
  private:
   void find_stretches() {
-    std::map<Columns, std::size_t> known;
+    std::map<std::pair<Eigen::Index, Eigen::Index>, std::size_t> known;
     for (const Columns& columns : frames_.of_pair) {
-      const auto [place, is_new] = known.try_emplace(columns, stretches_.size());
+      const auto [place, is_new] = known.try_emplace({columns.first, columns.count}, stretches_.size());
       stretch_of_.push_back(place->second);
       if (is_new) stretches_.push_back(columns);
     }
