@@ -66,9 +66,9 @@ void LearnStyle(benchmark::State& state, LearnMethod method) {
   state.counters["pairs"] = pairs;
 }
 
-void ModelStep(benchmark::State& state, LearnMethod method) {
+void StepModel(benchmark::State& state, LearnMethod method) {
   const LearntStyle& style = learnt(method);
-  strut::translate::SignalTranslator translator(style.model);
+  strut::ModelStep<double> translator(style.model);
   const strut::FrameMatrix rows = strut::representation::encode(style.model->input(), walk(1.2, 0.0, 50));
   Eigen::RowVectorXd output(style.model->num_dofs() + 1);
   for (auto _ : state) {
@@ -99,8 +99,8 @@ void TranslateMotion(benchmark::State& state, LearnMethod method) {
 BENCHMARK_CAPTURE(LearnStyle, radial, LearnMethod::kRadial)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(LearnStyle, linear, LearnMethod::kLinear)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(LearnStyle, paper, LearnMethod::kPaper)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(ModelStep, radial, LearnMethod::kRadial);
-BENCHMARK_CAPTURE(ModelStep, linear, LearnMethod::kLinear);
+BENCHMARK_CAPTURE(StepModel, radial, LearnMethod::kRadial);
+BENCHMARK_CAPTURE(StepModel, linear, LearnMethod::kLinear);
 BENCHMARK_CAPTURE(TranslatorPush, radial, LearnMethod::kRadial);
 BENCHMARK_CAPTURE(TranslatorPush, linear, LearnMethod::kLinear);
 BENCHMARK_CAPTURE(TranslateMotion, radial, LearnMethod::kRadial);

@@ -56,7 +56,9 @@ void add_translate(CLI::App& app) {
   command->add_option("model", arguments->model, "Style model made by strut learn (.strut)")->required();
   command->add_option("clip", arguments->clip, "BVH clip in the model's input style")->required();
   command->add_option("-o,--output", arguments->output, "BVH file to write")->required();
-  command->add_option("--strength", arguments->options.strength, "How much of the style: 0 none, 1 all, up to 1.5")
+  command
+      ->add_option("--strength", arguments->options.controls.strength,
+                   "How much of the style: 0 none, 1 all, up to 1.5")
       ->check(number_in(0.0, 1.5))
       ->capture_default_str();
   command->add_flag_callback(

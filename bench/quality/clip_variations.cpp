@@ -115,10 +115,8 @@ Deviations deviations(const Motion& clip, int joint) {
   std::vector<Quaterniond> rotations;
   for (const Pose& pose : clip.frames()) rotations.push_back(pose.rotations[at(joint)]);
   Deviations result{math::mean_rotation(rotations), FrameMatrix(clip.num_frames(), 3)};
-  Vector3d previous = Vector3d::Zero();
   for (int t = 0; t < clip.num_frames(); ++t) {
-    previous = math::log_map_near(result.mean.conjugate() * rotations[at(t)], previous);
-    result.vectors.row(t) = previous.transpose();
+    result.vectors.row(t) = math::log_map(result.mean.conjugate() * rotations[at(t)]).transpose();
   }
   return result;
 }

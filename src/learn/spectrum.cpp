@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
-#include <strut/model/radial_step.h>
+#include <strut/model/model_step.h>
 #include <strut/motion/kinematics.h>
 #include <strut/representation/representation.h>
 #include <strut/representation/retime.h>
@@ -54,24 +55,23 @@ class JerkMean {
 };
 
 /// The input rows of a clip in the output style, re-timed.
-FrameMatrix translate(const StyleModel& model, const FrameMatrix& rows) {
-  RadialStep step(model);
-  const FrameMatrix normalized = model.input_scaling().normalize(rows);
-  FrameMatrix output(rows.rows(), model.num_dofs() + 1);
+FrameMatrix translate(const std::shared_ptr<const StyleModel>& model, const FrameMatrix& rows) {
+  ModelStep<double> step(model);
+  FrameMatrix output(rows.rows(), model->num_dofs() + 1);
   Eigen::RowVectorXd frame(output.cols());
   for (Eigen::Index t = 0; t < rows.rows(); ++t) {
-    step.step(rows.row(t), model.context() * normalized.row(t).transpose(), frame);
+    step.step(rows.row(t), frame);
     output.row(t) = frame;
   }
-  return representation::retime(output.leftCols(model.num_dofs()), output.col(model.time_warp_dof()));
+  return representation::retime(output.leftCols(model->num_dofs()), output.col(model->time_warp_dof()));
 }
 
-double jerk_of_translations(const Examples& examples, const StyleModel& model) {
+double jerk_of_translations(const Examples& examples, const std::shared_ptr<const StyleModel>& model) {
   JerkMean jerk;
   Eigen::Index frames = 0;
   for (const FrameMatrix& clip : examples.input.clips) {
     if (frames > kEnoughFrames) break;
-    jerk.add(model.output(), translate(model, clip), model.frame_rate());
+    jerk.add(model->output(), translate(model, clip), model->frame_rate());
     frames += clip.rows();
   }
   return jerk.mean();
@@ -87,7 +87,7 @@ Spectrum choose_spectrum(const Examples& examples, StyleModelParts parts) {
   const auto jerk_with = [&](const Spectrum& spectrum) {
     parts.radial_map->smoothing = spectrum.smoothing;
     parts.radial_map->fast = spectrum.fast;
-    return jerk_of_translations(examples, StyleModel(parts)) / std::max(real.mean(), 1e-12);
+    return jerk_of_translations(examples, std::make_shared<const StyleModel>(parts)) / std::max(real.mean(), 1e-12);
   };
   Spectrum best;
   double jerk = jerk_with(best);

@@ -34,19 +34,6 @@ Eigen::Vector3d log_map(const Eigen::Quaterniond& rotation) {
   return (2.0 * std::atan2(sine, cosine) / sine) * xyz;
 }
 
-Eigen::Vector3d log_map_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& previous) {
-  const Eigen::Vector3d shortest = log_map(rotation);
-  const double angle = shortest.norm();
-  if (angle < 1e-12) {
-    // Any axis will do for a full turn: keep the direction the curve already has.
-    const double turns = std::round(previous.norm() / (2.0 * kPi));
-    return turns == 0.0 ? shortest : Eigen::Vector3d(previous.normalized() * (2.0 * kPi * turns));
-  }
-  const Eigen::Vector3d axis = shortest / angle;
-  const double turns = std::round((axis.dot(previous) - angle) / (2.0 * kPi));
-  return axis * (angle + 2.0 * kPi * turns);
-}
-
 Eigen::Quaterniond mean_rotation(const std::vector<Eigen::Quaterniond>& rotations) {
   if (rotations.empty()) throw InvalidArgument("rotations", "at least one rotation", "none");
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "math/vector_kernels.h"
+
 #include <algorithm>
 #include <cmath>
 
+#include <strut/math/rotation_planes.h>
 #include <strut/model/radial_step.h>
 
 namespace strut {
 namespace {
 
-// Activations below this add nothing that could be seen.
-constexpr double kOutOfReach = 1e-6;
+using math::kLanes;
+using representation::RowLayout;
+
 // A detail of so many deviations of the examples' is taken for half the performer's own.
 constexpr double kUnusual = 3.0;
 // What lies farther out, in deviations, is as far: squares stay finite and are forgotten in time, whatever comes.
@@ -18,134 +22,196 @@ constexpr double kLargestDetail = 1e3;
 constexpr double kLevelTime = 0.5;
 constexpr double kSlowTime = 0.1;
 
-/// Gain of a one-pole low-pass filter with a time constant of `frames`.
-double filter_gain(double frames) {
-  return frames > 0.0 ? 1.0 - std::exp(-1.0 / frames) : 1.0;
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
 }
 
-/// From 0, what every example has, to 1, what none has.
-double unusualness(double deviations) {
-  const double square = (deviations / kUnusual) * (deviations / kUnusual);
-  return square * square / (1.0 + square * square);
+/// Gain of a one-pole low-pass filter with a time constant of `frames`.
+template <typename Scalar>
+Scalar filter_gain(double frames) {
+  return static_cast<Scalar>(1.0 - std::exp(-1.0 / frames));
 }
 
 }  // namespace
 
-RadialStep::RadialStep(const StyleModel& model)
+template <typename Scalar>
+RadialStep<Scalar>::RadialStep(const PackedModel<Scalar>& model, double frame_rate)
     : model_(&model),
-      parts_(detail_parts(model.input(), model.output())),
-      smoothing_gain_(filter_gain(model.radial_map()->smoothing)),
-      level_gain_(filter_gain(kLevelTime * model.frame_rate())),
-      slow_gain_(filter_gain(kSlowTime * model.frame_rate())) {
-  const RadialMap& map = *model.radial_map();
-  const auto parts = static_cast<Eigen::Index>(parts_.size());
-  history_ = Eigen::MatrixXd::Zero(model.context().rows(), map.lags.back() + 1);
-  context_ = Eigen::VectorXd::Zero(model.context().rows());
-  features_ = Eigen::VectorXd::Zero(map.basis.num_features());
-  activations_ = Eigen::VectorXd::Zero(map.basis.num_centres());
-  input_style_ = Eigen::VectorXd::Zero(map.input.rows());
-  output_style_ = smoothed_ = smoothed_twice_ = Eigen::VectorXd::Zero(map.output.rows());
-  details_ = slow_details_ = Eigen::Matrix3Xd::Zero(3, parts);
-  energy_ = next_energy_ = unusual_ = sorted_ = Eigen::VectorXd::Zero(parts);
+      map_(&*model.radial_map),
+      level_gain_(filter_gain<Scalar>(kLevelTime * frame_rate)),
+      slow_gain_(filter_gain<Scalar>(kSlowTime * frame_rate)),
+      num_contexts_(map_->now.num_cols()),
+      num_frames_(map_->lags.back() + 1) {
+  const int slots = model.layout.num_slots();
+  const int parts = kLanes + model.layout.plane();
+  history_.resize(at(num_frames_ * num_contexts_));
+  features_.resize(at(num_contexts_) * map_->lags.size());
+  distances_.resize(at(map_->now.num_rows()));
+  activations_.resize(distances_.size());
+  styles_.resize(at(map_->styles.num_rows()));
+  taken_.resize(at(model.context.num_rows()));
+  for (Array* array : {&smoothed_, &smoothed_twice_, &details_, &slow_details_, &standing_out_})
+    array->resize(at(slots));
+  for (Array* array : {&energy_, &next_energy_, &unusual_, &sorted_}) array->resize(at(parts));
 }
 
-void RadialStep::step(const Eigen::Ref<const Eigen::RowVectorXd>& input,
-                      const Eigen::Ref<const Eigen::VectorXd>& context, Eigen::Ref<Eigen::RowVectorXd> output) {
-  newest_ = (newest_ + 1) % history_.cols();
-  context_ = context;
-  look_up(context_);
+template <typename Scalar>
+void RadialStep<Scalar>::step(const Scalar* input, const Scalar* context, Scalar* output) {
+  remember(context);
+  look_up(false);
   measure_details(input);
   compare_details();
-  take_details_out();
-  look_up(context_);
+  take_details_out(context);
+  look_up(true);
   measure_details(input);
   compare_details();
   filter();
   started_ = true;
-  const auto& to = model_->output_scaling();
-  output = (to.mean().array() + to.scale().array() * smoothed_twice_.array()).matrix().transpose();
+  for (int slot = 0; slot < model_->layout.num_slots(); ++slot) {
+    output[slot] = model_->output_mean[at(slot)] + model_->output_scale[at(slot)] * smoothed_twice_[at(slot)];
+  }
   add_details(output);
 }
 
-void RadialStep::look_up(const Eigen::VectorXd& context) {
-  const RadialMap& map = *model_->radial_map();
-  history_.col(newest_) = context.cwiseMax(-kFarthestContext).cwiseMin(kFarthestContext);
-  for (Eigen::Index t = 0; !started_ && t < history_.cols(); ++t) history_.col(t) = history_.col(newest_);
-  for (std::size_t l = 0; l < map.lags.size(); ++l) {
-    const Eigen::Index frame = (newest_ + history_.cols() - map.lags[l]) % history_.cols();
-    features_.segment(static_cast<Eigen::Index>(l) * context.size(), context.size()) = history_.col(frame);
+/// The features of this frame, its own context not counted, and how far from the centres they are.
+template <typename Scalar>
+void RadialStep<Scalar>::remember(const Scalar* context) {
+  constexpr auto kFarthest = static_cast<Scalar>(kFarthestContext);
+  newest_ = (newest_ + 1) % num_frames_;
+  for (int i = 0; i < num_contexts_; ++i) features_[at(i)] = std::clamp(context[i], -kFarthest, kFarthest);
+  for (int frame = 0; !started_ && frame < num_frames_; ++frame) {
+    std::copy_n(features_.begin(), num_contexts_, history_.begin() + frame * num_contexts_);
   }
-  map.basis.activate(features_, activations_);
-  input_style_.setZero();
-  output_style_.setZero();
-  for (Eigen::Index m = 0; m < activations_.size(); ++m) {
-    if (activations_[m] < kOutOfReach) continue;
-    input_style_ += activations_[m] * map.input.col(m);
-    output_style_ += activations_[m] * map.output.col(m);
+  for (std::size_t lag = 1; lag < map_->lags.size(); ++lag) {
+    const int frame = (newest_ + num_frames_ - map_->lags[lag]) % num_frames_;
+    std::copy_n(history_.begin() + frame * num_contexts_, num_contexts_,
+                features_.begin() + static_cast<std::ptrdiff_t>(lag) * num_contexts_);
+  }
+  if (map_->lags.size() > 1) {
+    map_->before.squared_distances(features_.data() + num_contexts_, false, distances_.data());
   }
 }
 
-void RadialStep::measure_details(const Eigen::Ref<const Eigen::RowVectorXd>& input) {
-  const RadialMap& map = *model_->radial_map();
-  const auto& from = model_->input_scaling();
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const auto column = static_cast<Eigen::Index>(p);
-    double squares = 0.0;
-    for (Eigen::Index i = 0; i < parts_[p].size; ++i) {
-      const Eigen::Index dof = parts_[p].first + i;
-      details_(i, column) = input[dof] - from.mean()[dof] - from.scale()[dof] * input_style_[dof];
-      squares += details_(i, column) * details_(i, column) / (map.spread[dof] * map.spread[dof]);
-    }
-    const double energy = std::min(squares / static_cast<double>(parts_[p].size), kLargestDetail * kLargestDetail);
-    next_energy_[column] = started_ ? energy_[column] + level_gain_ * (energy - energy_[column]) : energy;
+template <typename Scalar>
+void RadialStep<Scalar>::look_up(bool both_styles) {
+  const auto& kernels = math::vector_kernels<Scalar>();
+  const int centres = map_->now.num_rows();
+  std::copy(distances_.begin(), distances_.end(), activations_.begin());
+  map_->now.squared_distances(features_.data(), map_->lags.size() > 1, activations_.data());
+  // Relative to the nearest: far from all centres every exponential would be zero.
+  const Scalar nearest = kernels.smallest(centres, activations_.data());
+  const Scalar scale = Scalar(0.5) / (map_->squared_width + map_->widening * nearest);
+  const Scalar sum = kernels.exponentials(centres, nearest, scale, activations_.data());
+  const int slots = model_->layout.num_slots();
+  const int rows = both_styles ? map_->styles.num_rows() : math::padded(slots, math::kTileRows);
+  map_->styles.multiply(rows, activations_.data(), styles_.data());
+  for (int row = 0; row < rows; ++row) styles_[at(row)] /= sum;
+}
+
+template <typename Scalar>
+void RadialStep<Scalar>::measure_details(const Scalar* input) {
+  constexpr auto kLargest = static_cast<Scalar>(kLargestDetail * kLargestDetail);
+  const RowLayout& layout = model_->layout;
+  Scalar* squares = standing_out_.data();  // not in use before compare_details
+  for (int slot = 0; slot < layout.num_slots(); ++slot) {
+    const Scalar style = model_->input_mean[at(slot)] + model_->input_scale[at(slot)] * styles_[at(slot)];
+    details_[at(slot)] = input[slot] - style;
+    const Scalar deviations = details_[at(slot)] * map_->inverse_spread[at(slot)];
+    squares[slot] = deviations * deviations;
+  }
+  using namespace representation;
+  sorted_[0] = (squares[kSidewaysVelocity] + squares[kForwardVelocity] + squares[kTurningRate]) / Scalar(3);
+  sorted_[1] = squares[kHeight];
+  sorted_[2] = (squares[kTiltX] + squares[kTiltZ]) / Scalar(2);
+  const Scalar* joints = squares + RowLayout::kRotations;
+  for (int joint = 0; joint < layout.plane(); ++joint) {
+    sorted_[at(kLanes + joint)] =
+        (joints[joint] + joints[joint + layout.plane()] + joints[joint + 2 * layout.plane()]) / Scalar(3);
+  }
+  for (std::size_t part = 0; part < energy_.size(); ++part) {
+    const Scalar energy = std::min(sorted_[part], kLargest);
+    next_energy_[part] = started_ ? energy_[part] + level_gain_ * (energy - energy_[part]) : energy;
   }
 }
 
 /// A body that is unlike the examples as a whole, as another performer's is, has no part that stands out.
-void RadialStep::compare_details() {
-  sorted_ = next_energy_;
-  const auto middle = sorted_.data() + sorted_.size() / 2;
-  std::nth_element(sorted_.data(), middle, sorted_.data() + sorted_.size());
-  const double ordinary = std::max(1.0, *middle);
-  for (Eigen::Index p = 0; p < unusual_.size(); ++p) unusual_[p] = unusualness(std::sqrt(next_energy_[p] / ordinary));
+template <typename Scalar>
+void RadialStep<Scalar>::compare_details() {
+  const auto joints = next_energy_.begin() + kLanes;
+  const auto last = std::copy(joints, joints + model_->layout.num_joints(),
+                              std::copy_n(next_energy_.begin(), kRootDetailParts, sorted_.begin()));
+  const auto middle = sorted_.begin() + (last - sorted_.begin()) / 2;
+  std::nth_element(sorted_.begin(), middle, last);
+  const Scalar half = static_cast<Scalar>(kUnusual * kUnusual) * std::max(Scalar(1), *middle);
+  for (std::size_t part = 0; part < unusual_.size(); ++part) {
+    // From 0, what every example has, to 1, what none has.
+    const Scalar square = next_energy_[part] / half;
+    unusual_[part] = square * square / (Scalar(1) + square * square);
+  }
 }
 
-void RadialStep::take_details_out() {
-  const auto& scale = model_->input_scaling().scale();
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const auto column = static_cast<Eigen::Index>(p);
-    for (Eigen::Index i = 0; i < parts_[p].size; ++i) {
-      const Eigen::Index dof = parts_[p].first + i;
-      if (scale[dof] > 0.0)
-        context_ -= (unusual_[column] * details_(i, column) / scale[dof]) * model_->context().col(dof);
+template <typename Scalar>
+void RadialStep<Scalar>::take_details_out(const Scalar* context) {
+  const RowLayout& layout = model_->layout;
+  const auto take = [this](int slot, Scalar unusual) {
+    standing_out_[at(slot)] = unusual * details_[at(slot)] * model_->input_inverse[at(slot)];
+  };
+  for (int slot = 0; slot < RowLayout::kRotations; ++slot) take(slot, unusual_[at(root_detail_part(slot))]);
+  for (int plane = 0; plane < 3; ++plane) {
+    for (int joint = 0; joint < layout.plane(); ++joint) {
+      take(RowLayout::kRotations + plane * layout.plane() + joint, unusual_[at(kLanes + joint)]);
     }
   }
+  constexpr auto kFarthest = static_cast<Scalar>(kFarthestContext);
+  model_->context.multiply(model_->context.num_rows(), standing_out_.data(), taken_.data());
+  for (int i = 0; i < num_contexts_; ++i) {
+    features_[at(i)] = std::clamp(std::clamp(context[i], -kFarthest, kFarthest) - taken_[at(i)], -kFarthest, kFarthest);
+    history_[at(newest_ * num_contexts_ + i)] = features_[at(i)];
+  }
 }
 
-void RadialStep::filter() {
+template <typename Scalar>
+void RadialStep<Scalar>::filter() {
+  const int slots = model_->layout.num_slots();
+  const Scalar* style = styles_.data() + slots;
   energy_ = next_energy_;
   if (!started_) {
-    smoothed_ = smoothed_twice_ = output_style_;
+    std::copy(style, style + slots, smoothed_.begin());
+    smoothed_twice_ = smoothed_;
     slow_details_ = details_;
   }
-  smoothed_ += smoothing_gain_ * (output_style_ - smoothed_);
-  smoothed_twice_ += smoothing_gain_ * (smoothed_ - smoothed_twice_);
-  slow_details_ += slow_gain_ * (details_ - slow_details_);
-}
-
-void RadialStep::add_details(Eigen::Ref<Eigen::RowVectorXd> output) {
-  const RadialMap& map = *model_->radial_map();
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const DetailPart& part = parts_[p];
-    const auto column = static_cast<Eigen::Index>(p);
-    const double share = map.share[part.first];
-    // Velocities are no posture that a performer could have of his own: the way goes where the style takes it.
-    const double kept = part.is_velocity ? share : share + (1.0 - share) * unusual_[column];
-    const double fast = part.is_velocity ? 0.0 : (1.0 - kept) * map.fast;
-    const Eigen::Vector3d turned =
-        part.turn * (kept * details_.col(column) + fast * (details_.col(column) - slow_details_.col(column)));
-    for (Eigen::Index i = 0; i < part.size; ++i) output[part.first + i] += turned[i];
+  for (std::size_t slot = 0; slot < smoothed_.size(); ++slot) {
+    smoothed_[slot] += map_->smoothing_gain * (style[slot] - smoothed_[slot]);
+    smoothed_twice_[slot] += map_->smoothing_gain * (smoothed_[slot] - smoothed_twice_[slot]);
+    slow_details_[slot] += slow_gain_ * (details_[slot] - slow_details_[slot]);
   }
 }
+
+template <typename Scalar>
+void RadialStep<Scalar>::add_details(Scalar* output) {
+  const auto kept_of = [this](int slot, int part) {
+    const Scalar share = map_->share[at(part)];
+    const Scalar kept = share + (Scalar(1) - share) * unusual_[at(part)];
+    const Scalar fast = (Scalar(1) - kept) * map_->fast;
+    return kept * details_[at(slot)] + fast * (details_[at(slot)] - slow_details_[at(slot)]);
+  };
+  // Velocities are no posture that a performer could have of his own: the way goes where the style takes it.
+  for (int slot = 0; slot < representation::kHeight; ++slot) output[slot] += map_->share[0] * details_[at(slot)];
+  for (int slot = representation::kHeight; slot < representation::kNumRootDofs; ++slot) {
+    output[slot] += kept_of(slot, root_detail_part(slot));
+  }
+  const int plane = model_->layout.plane();
+  Scalar* kept = standing_out_.data() + RowLayout::kRotations;
+  for (int i = 0; i < 3; ++i) {
+    for (int joint = 0; joint < plane; ++joint) {
+      kept[i * plane + joint] = kept_of(RowLayout::kRotations + i * plane + joint, kLanes + joint);
+    }
+  }
+  math::turn_vectors(plane, plane, map_->turns.data(), kept, kept);
+  for (int i = 0; i < 3 * plane; ++i) output[RowLayout::kRotations + i] += kept[i];
+}
+
+template class RadialStep<float>;
+template class RadialStep<double>;
 
 }  // namespace strut

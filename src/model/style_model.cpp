@@ -60,9 +60,12 @@ StyleModel::StyleModel(StyleModelParts parts) : parts_(std::move(parts)) {
   if (!parts_.context.allFinite()) throw InvalidArgument("context", "finite numbers", "NaN or infinity");
   const auto contexts = static_cast<int>(parts_.context.rows());
   for (const StyleBlock& block : parts_.blocks) check_block(block, num_dofs() + contexts, given);
-  if (!parts_.radial_map) return;
-  if (!parts_.blocks.empty()) throw InvalidArgument("blocks", "none beside a radial map", "some");
-  check_radial_map(*parts_.radial_map, num_dofs(), contexts);
+  if (parts_.radial_map) {
+    if (!parts_.blocks.empty()) throw InvalidArgument("blocks", "none beside a radial map", "some");
+    check_radial_map(*parts_.radial_map, num_dofs(), contexts);
+  }
+  packed_float_ = std::make_shared<const PackedModel<float>>(parts_);
+  packed_double_ = std::make_shared<const PackedModel<double>>(parts_);
 }
 
 int StyleModel::num_states() const noexcept {

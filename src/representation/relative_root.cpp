@@ -29,13 +29,15 @@ RootPlacement placement(const RootTransform& root, const Eigen::Quaterniond& upr
   return {root.position.x(), root.position.z(), math::heading(body_rotation(root, upright))};
 }
 
-std::array<double, kNumRootDofs> encode_root(const RootTransform& root, const RootPlacement& previous,
+std::array<double, kNumRootDofs> encode_root(const RootTransform& root, RootPlacement& previous,
                                              const Eigen::Quaterniond& upright, double frame_time) {
-  const RootPlacement here = placement(root, upright);
+  const Eigen::Quaterniond body = body_rotation(root, upright);
+  const RootPlacement here{root.position.x(), root.position.z(), math::heading(body)};
   const double turn = math::wrap_angle(here.heading - previous.heading);
   const Eigen::Vector3d moved(here.x - previous.x, 0.0, here.z - previous.z);
   const Eigen::Vector3d local = math::rotation_about_y(-(previous.heading + 0.5 * turn)) * moved;
-  const Eigen::Vector3d tilt = math::log_map(math::rotation_about_y(-here.heading) * body_rotation(root, upright));
+  const Eigen::Vector3d tilt = math::log_map(math::rotation_about_y(-here.heading) * body);
+  previous = here;
   return {local.x() / frame_time, local.z() / frame_time, turn / frame_time, root.position.y(), tilt.x(), tilt.z()};
 }
 

@@ -4,6 +4,7 @@
 
 #include <strut/core/error.h>
 #include <strut/math/rotation.h>
+#include <strut/representation/pose_encoder.h>
 #include <strut/representation/representation.h>
 
 namespace strut::representation {
@@ -47,21 +48,6 @@ Eigen::Quaterniond mean_of_joint(const std::vector<Motion>& motions, int joint) 
   return math::mean_rotation(all);
 }
 
-/// Puts the pelvis where it belongs by way of the joint that carries the travel; the rest of the chain stands still.
-void place_chain(const Representation& representation, const RootTransform& root, Pose& pose) {
-  const Skeleton& skeleton = representation.skeleton();
-  Eigen::Vector3d rest = Eigen::Vector3d::Zero();
-  // Walked in place: this runs every frame, and a list of the chain would be an allocation.
-  for (int joint = 0;; joint = skeleton.children(joint).front()) {
-    pose.rotations[at(joint)].setIdentity();
-    pose.translations[at(joint)] = skeleton.joint(joint).offset;
-    if (joint != representation.travel_joint()) rest += skeleton.joint(joint).offset;
-    if (joint == skeleton.pelvis()) break;
-  }
-  pose.rotations[at(skeleton.pelvis())] = root.rotation;
-  pose.translations[at(representation.travel_joint())] = root.position - rest;
-}
-
 }  // namespace
 
 Representation::Representation(std::shared_ptr<const Skeleton> skeleton, std::vector<Eigen::Quaterniond> mean_rotations,
@@ -94,6 +80,15 @@ std::string Representation::dof_name(int dof) const {
   return skeleton_->joint(joint).name + " " + "xyz"[(dof - kNumRootDofs) % 3];
 }
 
+Pose mean_pose(const Representation& representation) {
+  const Skeleton& skeleton = representation.skeleton();
+  Pose pose = rest_pose(skeleton);
+  pose.rotations[at(skeleton.pelvis())] = representation.upright();
+  for (const int joint : representation.joints())
+    pose.rotations[at(joint)] = representation.mean_rotations()[at(joint)];
+  return pose;
+}
+
 void check_skeleton(const Representation& representation, const Skeleton& skeleton) {
   const std::string mismatch = describe_mismatch(representation.skeleton(), skeleton);
   if (!mismatch.empty()) throw SkeletonMismatch("the skeleton does not fit: " + mismatch);
@@ -113,51 +108,15 @@ Representation fit_representation(const std::vector<Motion>& motions, const Eige
   return {motions.front().shared_skeleton(), std::move(means), upright, find_travel_joint(motions)};
 }
 
-Encoder::Encoder(const Representation& representation, double frame_rate)
-    : representation_(&representation),
-      frame_time_(1.0 / frame_rate),
-      previous_(representation.joints().size(), Eigen::Vector3d::Zero()) {}
-
-void Encoder::encode(const Pose& pose, Eigen::Ref<Eigen::RowVectorXd> row) {
-  const RootTransform root = pelvis_world(representation_->skeleton(), pose);
-  const RootPlacement here = representation::placement(root, representation_->upright());
-  const auto dofs = encode_root(root, started_ ? placement_ : here, representation_->upright(), frame_time_);
-  for (int d = 0; d < kNumRootDofs; ++d) row[d] = dofs[at(d)];
-  int column = kNumRootDofs;
-  for (std::size_t i = 0; i < previous_.size(); ++i, column += 3) {
-    const std::size_t joint = at(representation_->joints()[i]);
-    const Eigen::Quaterniond relative = representation_->mean_rotations()[joint].conjugate() * pose.rotations[joint];
-    previous_[i] = math::log_map_near(relative, previous_[i]);
-    row.segment<3>(column) = previous_[i].transpose();
-  }
-  placement_ = here;
-  started_ = true;
-}
-
-Decoder::Decoder(const Representation& representation, double frame_rate, const RootPlacement& start)
-    : representation_(&representation), frame_time_(1.0 / frame_rate), placement_(start) {}
-
-void Decoder::decode(const Eigen::Ref<const Eigen::RowVectorXd>& row, const Pose& bones, Pose& pose) {
-  std::array<double, kNumRootDofs> dofs{};
-  for (int d = 0; d < kNumRootDofs; ++d) dofs[at(d)] = row[d];
-  if (!started_) dofs[kSidewaysVelocity] = dofs[kForwardVelocity] = dofs[kTurningRate] = 0.0;
-  started_ = true;
-  pose.rotations.resize(bones.rotations.size());
-  pose.translations = bones.translations;
-  place_chain(*representation_, decode_root(dofs, placement_, representation_->upright(), frame_time_), pose);
-  int column = kNumRootDofs;
-  for (const int joint : representation_->joints()) {
-    const Eigen::Vector3d vector = row.segment<3>(column).transpose();
-    pose.rotations[at(joint)] = (representation_->mean_rotations()[at(joint)] * math::exp_map(vector)).normalized();
-    column += 3;
-  }
-}
-
 FrameMatrix encode(const Representation& representation, const Motion& motion) {
   check_skeleton(representation, motion.skeleton());
-  Encoder encoder(representation, motion.frame_rate());
+  PoseEncoder<double> encoder(representation, motion.frame_rate());
+  math::AlignedVector<double> slots(at(encoder.layout().num_slots()));
   FrameMatrix rows(motion.num_frames(), representation.num_dofs());
-  for (int t = 0; t < motion.num_frames(); ++t) encoder.encode(motion.frame(t), rows.row(t));
+  for (int t = 0; t < motion.num_frames(); ++t) {
+    encoder.encode(view(motion.frame(t)), slots.data());
+    encoder.layout().unpack(slots.data(), rows.row(t));
+  }
   if (motion.num_frames() > 1) rows.row(0).head<kHeight>() = rows.row(1).head<kHeight>();
   return rows;
 }
@@ -167,10 +126,14 @@ Motion decode(const Representation& representation, const Eigen::Ref<const Frame
   if (rows.cols() != representation.num_dofs()) {
     throw InvalidArgument("rows", std::to_string(representation.num_dofs()) + " columns", std::to_string(rows.cols()));
   }
-  Decoder decoder(representation, frame_rate, start);
-  std::vector<Pose> frames(static_cast<std::size_t>(rows.rows()));
-  for (Eigen::Index t = 0; t < rows.rows(); ++t)
-    decoder.decode(rows.row(t), bones, frames[static_cast<std::size_t>(t)]);
+  PoseDecoder<double> decoder(representation, frame_rate, start);
+  const RowLayout layout(representation.num_dofs());
+  math::AlignedVector<double> slots(at(layout.num_slots()));
+  std::vector<Pose> frames(at(static_cast<int>(rows.rows())), bones);
+  for (Eigen::Index t = 0; t < rows.rows(); ++t) {
+    layout.pack(rows.row(t), slots.data());
+    decoder.decode(slots.data(), view(bones), view(frames[static_cast<std::size_t>(t)]));
+  }
   return {skeleton, frame_rate, std::move(frames)};
 }
 

@@ -1,68 +1,422 @@
 // SPDX-License-Identifier: MIT
+#include "translate/glide.h"
+#include "translate/style_mix.h"
+
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include <strut/core/error.h>
-#include <strut/translate/strength.h>
+#include <strut/math/rotation.h>
+#include <strut/model/model_step.h>
+#include <strut/representation/extrapolation.h>
+#include <strut/representation/pose_encoder.h>
 #include <strut/translate/translator.h>
 
 namespace strut {
 namespace {
 
-void check_pose(const Pose& pose, int num_joints) {
-  const auto expected = static_cast<std::size_t>(num_joints);
-  if (pose.rotations.size() != expected || pose.translations.size() != expected) {
-    throw InvalidArgument("input", std::to_string(expected) + " joints", std::to_string(pose.rotations.size()));
-  }
-  for (std::size_t j = 0; j < expected; ++j) {
-    constexpr double kUnitLengthTolerance = 1e-3;  // single-precision callers round to 1e-7; a wrong order is far off
-    const bool is_unit = std::abs(pose.rotations[j].squaredNorm() - 1.0) < kUnitLengthTolerance;  // false for NaN
-    if (!is_unit || !pose.translations[j].allFinite()) {
-      throw InvalidArgument("input", "finite numbers and unit rotations", "neither at joint " + std::to_string(j));
+using representation::kHeight;
+using representation::RowLayout;
+
+// Translations farther than this [m] are no body's; what follows from nearer ones is a number in single precision.
+constexpr double kFarthestTranslation = 1e7;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+[[noreturn]] void refuse_joints(const char* name, int expected, int got) {
+  throw InvalidArgument(name, std::to_string(expected) + " joints", std::to_string(got));
+}
+
+template <typename Scalar>
+void check_pose(const PoseView<const Scalar>& pose, int num_joints) {
+  if (pose.num_joints != num_joints) refuse_joints("input", num_joints, pose.num_joints);
+  constexpr auto kUnitLengthTolerance = Scalar(1e-3);  // rounding is a thousand times less; a wrong order is far off
+  constexpr auto kFarthest = static_cast<Scalar>(kFarthestTranslation);
+  for (int j = 0; j < num_joints; ++j) {
+    const Scalar* q = pose.rotations + 4 * j;
+    const Scalar* t = pose.translations + 3 * j;
+    const Scalar length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    // Comparisons with NaN are false.
+    const bool is_unit = std::abs(length - Scalar(1)) < kUnitLengthTolerance;
+    const bool is_near = std::max({std::abs(t[0]), std::abs(t[1]), std::abs(t[2])}) < kFarthest && t[0] == t[0] &&
+                         t[1] == t[1] && t[2] == t[2];
+    if (!is_unit || !is_near) {
+      throw InvalidArgument("input", "unit rotations and translations of less than 10,000 km",
+                            "others at joint " + std::to_string(j));
     }
   }
 }
 
-}  // namespace
+void check_options(const TranslatorOptions& options) {
+  const auto check = [](const char* name, double value, bool may_be_zero) {
+    if (std::isfinite(value) && (value > 0.0 || (may_be_zero && value == 0.0))) return;
+    throw InvalidArgument(name, may_be_zero ? "a number that is not negative" : "a positive number",
+                          std::to_string(value));
+  };
+  check("confidence", options.generalization.confidence, false);
+  check("preference", options.generalization.preference, false);
+  check("fade", options.generalization.fade, true);
+  check("glide", options.glide, true);
+}
 
-Translator::Translator(std::shared_ptr<const StyleModel> model, double strength)
-    : step_(std::move(model)),
-      strength_(strength),
-      encoder_(step_.model().input(), step_.model().frame_rate()),
-      decoder_(step_.model().output(), step_.model().frame_rate(), {}),
-      input_row_(step_.model().num_dofs()),
-      output_row_(step_.model().num_dofs() + 1) {
-  if (!(strength >= 0.0 && strength <= 1.5)) {
-    throw InvalidArgument("strength", "a number from 0 to 1.5", std::to_string(strength));
+void check_models(const std::vector<std::shared_ptr<const StyleModel>>& models) {
+  if (models.empty()) throw InvalidArgument("models", "at least one style model", "none");
+  for (const auto& model : models) {
+    if (!model) throw InvalidArgument("model", "a style model", "null");
+    representation::check_skeleton(models.front()->input(), model->skeleton());
+    if (model->frame_rate() == models.front()->frame_rate()) continue;
+    throw InvalidArgument("models", "one frame rate",
+                          std::to_string(models.front()->frame_rate()) + " and " + std::to_string(model->frame_rate()));
   }
 }
 
-void Translator::push(const Pose& input, Pose& output) {
-  check_pose(input, model().skeleton().num_joints());
-  encoder_.encode(input, input_row_);
-  if (!started_) start();
-  step_.step(input_row_, output_row_);
-  translate::apply_strength(model(), input_row_, strength_, output_row_);
-  decoder_.decode(output_row_.head(model().num_dofs()), input, output);
+/// The body part of every joint below the pelvis.
+std::vector<int> parts_of_joints(const StyleModel& model) {
+  const Motion standing(model.output().shared_skeleton(), 1.0, {representation::mean_pose(model.output())});
+  const std::vector<motion::BodyPart> parts = motion::body_parts(standing);
+  std::vector<int> below;
+  for (const int joint : model.output().joints()) below.push_back(static_cast<int>(parts[at(joint)]));
+  return below;
 }
 
-/// The first frame has no velocity: standing still would be a jolt to a model of walking, so it moves as the examples
-/// do on average.
-void Translator::start() {
-  input_row_.head<representation::kHeight>() =
-      model().input_scaling().mean().head<representation::kHeight>().transpose();
-  decoder_ = {model().output(), model().frame_rate(), encoder_.placement()};
-  started_ = true;
+/// What is applied to each part of the body: its pose, its movement, the next part's pose, ...
+std::array<double, 2 * motion::kNumBodyParts> strengths_of(const TranslatorControls& controls) {
+  std::array<double, 2 * motion::kNumBodyParts> strengths{};
+  for (std::size_t part = 0; part < controls.parts.size(); ++part) {
+    const double all = controls.strength * controls.parts[part];
+    strengths[2 * part] = std::min(kMostStrength, all * controls.pose);
+    strengths[2 * part + 1] = std::min(kMostStrength, all * controls.movement);
+  }
+  return strengths;
 }
 
-double Translator::time_warp() const {
-  return std::exp(output_row_[model().time_warp_dof()]);
+/// What one model makes of the frames.
+template <typename Scalar>
+struct Branch {
+  Branch(const std::shared_ptr<const StyleModel>& model, double fade)
+      : step(model),
+        encoder(model->input(), model->frame_rate()),
+        mix(*model),
+        input(at(step.layout().num_slots())),
+        output(input.size()),
+        share({0.0}, fade * model->frame_rate()) {}
+
+  /// The model step, and how familiar it was.
+  void run(const postprocess::GeneralizationOptions& options) {
+    step.step(input.data(), output.data());
+    share.go_to(std::array{postprocess::input_share(static_cast<double>(step.largest_deviation()), options)});
+  }
+  /// A stream begins with this frame; its velocities are not to be known from it. Standing still would be a jolt to a
+  /// model of walking, so it moves as `opening` did or else as the examples do on average.
+  void begin() {
+    const auto& mean = step.model().input_scaling().mean();
+    for (int dof = 0; dof < kHeight; ++dof) {
+      input[at(dof)] = has_opening ? opening[at(dof)] : static_cast<Scalar>(mean[dof]);
+    }
+  }
+
+  ModelStep<Scalar> step;
+  representation::PoseEncoder<Scalar> encoder;
+  translate::StyleMix<Scalar> mix;
+  math::AlignedVector<Scalar> input, output;
+  translate::Glide share;
+  bool has_opening = false;
+  std::array<Scalar, kHeight> opening{};  // velocities
+};
+
+}  // namespace
+
+template <typename Scalar>
+struct BasicTranslator<Scalar>::Stream {
+  Stream(std::vector<std::shared_ptr<const StyleModel>> given, const TranslatorOptions& wanted);
+
+  void push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
+  void begin();
+  void glide();
+  void weigh_joints();
+  void blend();
+  [[nodiscard]] double weight(std::size_t branch) const { return weights.value()[branch]; }
+
+  std::vector<std::shared_ptr<const StyleModel>> models;
+  TranslatorOptions options;
+  std::vector<int> parts;  // per joint below the pelvis
+  std::vector<Branch<Scalar>> branches;
+  translate::Glide strengths;
+  std::vector<double> shares;  // of the models: where they go, and
+  translate::Glide weights;    // where they are
+  translate::MixWeights<Scalar> mix_weights;
+  representation::PoseDecoder<Scalar> decoder;
+  bool started = false;
+  std::array<Scalar, RowLayout::kRotations> root{};
+  math::AlignedVector<Scalar> rotations;                          // blended, planes
+  math::AlignedVector<Scalar> pose_rotations, pose_translations;  // a pose, converted
+};
+
+namespace {
+
+/// The models' weights, made to sum to 1; `shares` has a number per model.
+void set_shares(const TranslatorControls& controls, std::vector<double>& shares) {
+  std::fill(shares.begin(), shares.end(), 1.0);
+  std::copy(controls.weights.begin(), controls.weights.end(), shares.begin());
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (double& share : shares) share /= sum;
 }
 
-void Translator::reset() {
-  step_.reset();
-  encoder_ = {model().input(), model().frame_rate()};
-  started_ = false;
+std::vector<double> shares_of(const TranslatorControls& controls, std::size_t num_models) {
+  std::vector<double> shares(num_models);
+  set_shares(controls, shares);
+  return shares;
 }
+
+std::vector<double> list_of(const std::array<double, 2 * motion::kNumBodyParts>& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+}  // namespace
+
+template <typename Scalar>
+BasicTranslator<Scalar>::Stream::Stream(std::vector<std::shared_ptr<const StyleModel>> given,
+                                        const TranslatorOptions& wanted)
+    : models((check_models(given), std::move(given))),
+      options((check_options(wanted), check_controls(wanted.controls, static_cast<int>(models.size())), wanted)),
+      parts(parts_of_joints(*models.front())),
+      strengths(list_of(strengths_of(wanted.controls)), wanted.glide * models.front()->frame_rate()),
+      shares(shares_of(wanted.controls, models.size())),
+      weights(shares, wanted.glide * models.front()->frame_rate()),
+      decoder(models.front()->output(), models.front()->frame_rate()) {
+  for (const auto& model : models) branches.emplace_back(model, options.generalization.fade);
+  const int plane = branches.front().step.layout().plane();
+  mix_weights.pose.resize(at(plane));
+  mix_weights.movement.resize(at(plane));
+  rotations.resize(at(4 * plane));
+  pose_rotations.resize(at(4 * models.front()->skeleton().num_joints()));
+  pose_translations.resize(at(3 * models.front()->skeleton().num_joints()));
+  weigh_joints();
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::Stream::push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
+  for (Branch<Scalar>& branch : branches) branch.encoder.encode(input, branch.input.data());
+  if (!started) begin();
+  glide();
+  for (Branch<Scalar>& branch : branches) {
+    branch.run(options.generalization);
+    if (!started) branch.share.arrive();
+    branch.share.advance();
+    const auto style_share = static_cast<Scalar>(1.0 - branch.share.value().front());
+    branch.mix.mix(branch.input.data(), branch.output.data(), mix_weights, style_share);
+  }
+  started = true;
+  if (branches.size() == 1) {
+    const auto& mix = branches.front().mix;
+    decoder.decode(mix.root(), mix.rotations(), models.front()->output().upright(), input, output);
+    return;
+  }
+  blend();
+  Eigen::Vector4d upright = Eigen::Vector4d::Zero();
+  for (std::size_t b = 0; b < branches.size(); ++b) {
+    const Eigen::Vector4d own = models[b]->output().upright().coeffs();
+    upright += (upright.dot(own) < 0.0 ? -weight(b) : weight(b)) * own;
+  }
+  decoder.decode(root.data(), rotations.data(), Eigen::Quaterniond(upright).normalized(), input, output);
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::Stream::begin() {
+  representation::RootPlacement start = branches.front().encoder.placement();
+  const double heading = start.heading;
+  for (std::size_t b = 0; b < branches.size(); ++b) {
+    branches[b].begin();
+    start.heading += weight(b) * math::wrap_angle(branches[b].encoder.placement().heading - heading);
+  }
+  decoder.restart(start);
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::Stream::glide() {
+  if (!started) {
+    strengths.arrive();
+    weights.arrive();
+    weigh_joints();
+  }
+  weights.advance();
+  if (strengths.advance()) weigh_joints();
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::Stream::weigh_joints() {
+  const std::vector<double>& now = strengths.value();
+  for (std::size_t joint = 0; joint < parts.size(); ++joint) {
+    mix_weights.pose[joint] = static_cast<Scalar>(now[at(2 * parts[joint])]);
+    mix_weights.movement[joint] = static_cast<Scalar>(now[at(2 * parts[joint] + 1)]);
+  }
+  constexpr int kTrunk = static_cast<int>(motion::BodyPart::kTrunk);
+  mix_weights.root_pose = static_cast<Scalar>(now[at(2 * kTrunk)]);
+  mix_weights.root_movement = static_cast<Scalar>(now[at(2 * kTrunk + 1)]);
+}
+
+/// The weighted mean of what the models make of a frame; of quaternions those that are near each other.
+template <typename Scalar>
+void BasicTranslator<Scalar>::Stream::blend() {
+  const int plane = static_cast<int>(rotations.size()) / 4;
+  root.fill(Scalar(0));
+  std::fill(rotations.begin(), rotations.end(), Scalar(0));
+  const Scalar* first = branches.front().mix.rotations();
+  for (std::size_t b = 0; b < branches.size(); ++b) {
+    const auto share = static_cast<Scalar>(weight(b));
+    const Scalar* own = branches[b].mix.rotations();
+    for (std::size_t slot = 0; slot < root.size(); ++slot) root[slot] += share * branches[b].mix.root()[slot];
+    for (int joint = 0; joint < plane; ++joint) {
+      Scalar cosine = Scalar(0);
+      for (int i = 0; i < 4; ++i) cosine += first[i * plane + joint] * own[i * plane + joint];
+      const Scalar signed_share = cosine < Scalar(0) ? -share : share;
+      for (int i = 0; i < 4; ++i) rotations[at(i * plane + joint)] += signed_share * own[i * plane + joint];
+    }
+  }
+}
+
+template <typename Scalar>
+BasicTranslator<Scalar>::BasicTranslator(std::shared_ptr<const StyleModel> model, const TranslatorOptions& options)
+    : BasicTranslator(std::vector{std::move(model)}, options) {}
+
+template <typename Scalar>
+BasicTranslator<Scalar>::BasicTranslator(std::vector<std::shared_ptr<const StyleModel>> models,
+                                         const TranslatorOptions& options)
+    : stream_(std::make_unique<Stream>(std::move(models), options)) {}
+
+template <typename Scalar>
+BasicTranslator<Scalar>::BasicTranslator(const BasicTranslator& other)
+    : stream_(std::make_unique<Stream>(*other.stream_)) {}
+
+template <typename Scalar>
+BasicTranslator<Scalar>::BasicTranslator(BasicTranslator&&) noexcept = default;
+template <typename Scalar>
+BasicTranslator<Scalar>::~BasicTranslator() = default;
+
+template <typename Scalar>
+BasicTranslator<Scalar>& BasicTranslator<Scalar>::operator=(BasicTranslator other) noexcept {
+  stream_.swap(other.stream_);
+  return *this;
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
+  const int joints = model().skeleton().num_joints();
+  if (output.num_joints != joints) refuse_joints("output", joints, output.num_joints);
+  check_pose(input, joints);
+  stream_->push(input, output);
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::push(const Pose& input, Pose& output) {
+  const auto joints = static_cast<std::size_t>(model().skeleton().num_joints());
+  if (input.rotations.size() != joints || input.translations.size() != joints) {
+    refuse_joints("input", static_cast<int>(joints), static_cast<int>(input.rotations.size()));
+  }
+  output.rotations.resize(joints);
+  output.translations.resize(joints);
+  if constexpr (std::is_same_v<Scalar, double>) {
+    push(view(input), view(output));
+  } else {
+    const PoseView<const double> from = view(input);
+    const PoseView<double> to = view(output);
+    const PoseView<Scalar> converted{stream_->pose_rotations.data(), stream_->pose_translations.data(),
+                                     static_cast<int>(joints)};
+    const auto to_scalar = [](auto number) { return static_cast<Scalar>(number); };
+    std::transform(from.rotations, from.rotations + 4 * joints, converted.rotations, to_scalar);
+    std::transform(from.translations, from.translations + 3 * joints, converted.translations, to_scalar);
+    push(converted, converted);
+    std::copy_n(converted.rotations, 4 * joints, to.rotations);
+    std::copy_n(converted.translations, 3 * joints, to.translations);
+    for (Eigen::Quaterniond& rotation : output.rotations) rotation.normalize();  // to the length that double asks for
+  }
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::warm_up(const std::vector<Pose>& opening, int frames) {
+  if (stream_->started) throw InvalidArgument("opening", "no frame pushed before", "a stream that runs");
+  if (opening.size() < 2) throw InvalidArgument("opening", "two frames or more", std::to_string(opening.size()));
+  for (const Pose& pose : opening) check_pose(view(pose), model().skeleton().num_joints());
+  const Motion clip(model().output().shared_skeleton(), model().frame_rate(), opening);
+  for (Branch<Scalar>& branch : stream_->branches) {
+    const FrameMatrix rows = representation::encode(branch.step.model().input(), clip);
+    const FrameMatrix before = representation::extrapolate_back(rows, frames);
+    for (Eigen::Index t = 0; t < before.rows(); ++t) {
+      branch.step.layout().pack(before.row(t), branch.input.data());
+      branch.run(stream_->options.generalization);
+      if (t == 0) branch.share.arrive();
+      branch.share.advance();
+    }
+    branch.has_opening = true;
+    for (int dof = 0; dof < kHeight; ++dof) branch.opening[at(dof)] = static_cast<Scalar>(rows(0, dof));
+  }
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::set_controls(const TranslatorControls& controls) {
+  check_controls(controls, num_models());
+  stream_->options.controls = controls;
+  stream_->strengths.go_to(strengths_of(controls));
+  set_shares(controls, stream_->shares);
+  stream_->weights.go_to(stream_->shares);
+}
+
+template <typename Scalar>
+const TranslatorControls& BasicTranslator<Scalar>::controls() const noexcept {
+  return stream_->options.controls;
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::reset() {
+  for (Branch<Scalar>& branch : stream_->branches) {
+    branch.step.reset();
+    branch.encoder.reset();
+    branch.has_opening = false;
+  }
+  stream_->started = false;
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::restore(const BasicTranslator& snapshot) {
+  if (snapshot.stream_->models != stream_->models) {
+    throw InvalidArgument("snapshot", "one of a translator of the same models", "one of others");
+  }
+  *stream_ = *snapshot.stream_;
+}
+
+template <typename Scalar>
+double BasicTranslator<Scalar>::time_warp() const {
+  double log_time_warp = 0.0;
+  for (std::size_t b = 0; b < stream_->branches.size(); ++b) {
+    log_time_warp += stream_->weight(b) * static_cast<double>(stream_->branches[b].mix.root()[RowLayout::kTimeWarp]);
+  }
+  return std::exp(log_time_warp);
+}
+
+template <typename Scalar>
+double BasicTranslator<Scalar>::input_share() const {
+  double share = 0.0;
+  for (std::size_t b = 0; b < stream_->branches.size(); ++b) {
+    share += stream_->weight(b) * stream_->branches[b].share.value().front();
+  }
+  return share;
+}
+
+template <typename Scalar>
+const StyleModel& BasicTranslator<Scalar>::model(int index) const {
+  return *stream_->models.at(at(index));
+}
+
+template <typename Scalar>
+int BasicTranslator<Scalar>::num_models() const noexcept {
+  return static_cast<int>(stream_->models.size());
+}
+
+template class BasicTranslator<float>;
+template class BasicTranslator<double>;
 
 }  // namespace strut

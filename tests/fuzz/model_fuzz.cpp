@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include <strut/core/error.h>
+#include <strut/model/model_step.h>
 #include <strut/model/style_model_io.h>
-#include <strut/translate/signal_translator.h>
 
 namespace {
 
@@ -19,7 +19,7 @@ void require(bool holds) {
 }
 
 void step(const std::shared_ptr<const strut::StyleModel>& model) {
-  strut::translate::SignalTranslator translator(model);
+  strut::ModelStep<double> translator(model);
   const Eigen::RowVectorXd input = Eigen::RowVectorXd::Ones(model->num_dofs());
   Eigen::RowVectorXd output(model->num_dofs() + 1);
   for (int t = 0; t < kSteps; ++t) translator.step(input, output);

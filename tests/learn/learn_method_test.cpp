@@ -15,9 +15,9 @@
 #include <strut/core/error.h>
 #include <strut/metrics/clip_distance.h>
 #include <strut/metrics/smoothness.h>
+#include <strut/model/model_step.h>
 #include <strut/model/radial_map.h>
 #include <strut/model/style_model_io.h>
-#include <strut/translate/signal_translator.h>
 #include <strut/translate/translate_motion.h>
 
 namespace strut {
@@ -52,7 +52,7 @@ double distance_left(const StyleModel& model, double speed) {
 }
 
 FrameMatrix run(const LearntStyle& learnt, const FrameMatrix& rows) {
-  translate::SignalTranslator translator(learnt.model);
+  ModelStep<double> translator(learnt.model);
   FrameMatrix outputs(rows.rows(), rows.cols() + 1);
   for (Eigen::Index t = 0; t < rows.rows(); ++t) translator.step(rows.row(t), outputs.row(t));
   return outputs;

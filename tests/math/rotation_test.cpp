@@ -41,15 +41,6 @@ RC_GTEST_PROP(ExpMap, IsUndoneByTheLogMapUpToHalfATurn, ()) {
   RC_ASSERT((log_map(exp_map(v)) - v).norm() < 1e-13);
 }
 
-RC_GTEST_PROP(LogMapNear, FollowsACurveThroughManyTurns, ()) {
-  const Eigen::Vector3d axis = (random_vector(1.0) + Eigen::Vector3d(2, 0, 0)).normalized();
-  Eigen::Vector3d previous = Eigen::Vector3d::Zero();
-  for (double angle = 0.0; angle < 20.0; angle += 0.1) {
-    previous = log_map_near(exp_map(axis * angle), previous);
-    RC_ASSERT((previous - axis * angle).norm() < 1e-10);
-  }
-}
-
 TEST(MeanRotation, IgnoresTheSignOfQuaternions) {
   Eigen::Quaterniond q = exp_map({0.3, -0.2, 0.9});
   Eigen::Quaterniond minus = q;

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <strut/model/radial_step.h>
+#include <strut/model/model_step.h>
 
 namespace strut {
 namespace {
@@ -25,19 +25,20 @@ StyleModelParts small_parts(int centres) {
   return test::radial_parts(test::turning_motion(kRate, 1.0), centres);
 }
 
-/// Steps of `model`, one per row of `inputs`.
-FrameMatrix run(const StyleModel& model, RadialStep& step, const FrameMatrix& inputs) {
+std::shared_ptr<const StyleModel> model_of(StyleModelParts parts) {
+  return std::make_shared<const StyleModel>(std::move(parts));
+}
+
+/// Steps, one per row of `inputs`.
+FrameMatrix run(ModelStep<double>& step, const FrameMatrix& inputs) {
   FrameMatrix outputs(inputs.rows(), inputs.cols() + 1);
-  for (Eigen::Index t = 0; t < inputs.rows(); ++t) {
-    const Eigen::VectorXd normalized = model.input_scaling().normalize(inputs.row(t)).transpose();
-    step.step(inputs.row(t), model.context() * normalized, outputs.row(t));
-  }
+  for (Eigen::Index t = 0; t < inputs.rows(); ++t) step.step(inputs.row(t), outputs.row(t));
   return outputs;
 }
 
-FrameMatrix run(const StyleModel& model, const FrameMatrix& inputs) {
-  RadialStep step(model);
-  return run(model, step, inputs);
+FrameMatrix run(const std::shared_ptr<const StyleModel>& model, const FrameMatrix& inputs) {
+  ModelStep<double> step(model);
+  return run(step, inputs);
 }
 
 FrameMatrix waves(Eigen::Index frames, Eigen::Index dofs, double size) {
@@ -55,14 +56,14 @@ struct Still {
     input = map.input.col(0).transpose().replicate(kSecond, 1);
     style = map.output.col(0).transpose();
     spread = map.spread;
-    model = std::make_unique<StyleModel>(std::move(parts));
+    model = model_of(std::move(parts));
   }
   /// What of `detail` (a number a frame, in spreads), given to the joint at `joint`, is in the output; the rest of the
   /// output must not feel it.
   Eigen::VectorXd kept_of(const Eigen::VectorXd& detail) const {
     FrameMatrix with = input;
     for (Eigen::Index i = 0; i < 3; ++i) with.col(joint + i) += detail * spread[joint + i];
-    FrameMatrix change = run(*model, with).rowwise() - style;
+    FrameMatrix change = run(model, with).rowwise() - style;
     const Eigen::VectorXd kept = change.middleCols(joint, 3).rowwise().sum() / spread.segment(joint, 3).sum();
     change.middleCols(joint, 3).setZero();
     EXPECT_LT(change.cwiseAbs().maxCoeff(), kRounding);
@@ -73,21 +74,21 @@ struct Still {
   FrameMatrix input;
   Eigen::RowVectorXd style;
   Eigen::VectorXd spread;
-  std::unique_ptr<StyleModel> model;
+  std::shared_ptr<const StyleModel> model;
 };
 
 TEST(RadialStep, GivesTheOutputStyleOfAnInputLikeTheInputStyle) {
   const Still still(0.5, 1.0);
-  EXPECT_LT((run(*still.model, still.input).rowwise() - still.style).norm(), kRounding);
+  EXPECT_LT((run(still.model, still.input).rowwise() - still.style).norm(), kRounding);
 }
 
 TEST(RadialStep, RepeatsItselfAfterReset) {
-  const StyleModel model(small_parts(5));
-  const FrameMatrix inputs = waves(60, model.num_dofs(), 0.4);
-  RadialStep step(model);
-  const FrameMatrix first = run(model, step, inputs);
+  const auto model = model_of(small_parts(5));
+  const FrameMatrix inputs = waves(60, model->num_dofs(), 0.4);
+  ModelStep<double> step(model);
+  const FrameMatrix first = run(step, inputs);
   step.reset();
-  EXPECT_EQ(run(model, step, inputs), first);
+  EXPECT_EQ(run(step, inputs), first);
   EXPECT_EQ(run(model, inputs), first);
   EXPECT_GT((first.row(59) - first.row(40)).norm(), 0.01);  // it does move
 }
@@ -95,32 +96,31 @@ TEST(RadialStep, RepeatsItselfAfterReset) {
 TEST(RadialStep, AllocatesNothing) {
   std::unique_ptr<Eigen::VectorXd> kept;
   ASSERT_GE(test::count_allocations([&] { kept = std::make_unique<Eigen::VectorXd>(100); }), 2);  // the counter counts
-  const StyleModel model(small_parts(5));
-  RadialStep step(model);
-  const FrameMatrix inputs = waves(20, model.num_dofs(), 0.4);
-  const Eigen::VectorXd context = Eigen::Vector2d(0.1, -0.2);
-  Eigen::RowVectorXd output(model.num_dofs() + 1);
+  const auto model = model_of(small_parts(5));
+  ModelStep<double> step(model);
+  const FrameMatrix inputs = waves(20, model->num_dofs(), 0.4);
+  Eigen::RowVectorXd output(model->num_dofs() + 1);
   EXPECT_EQ(test::count_allocations([&] {
-              for (Eigen::Index t = 0; t < inputs.rows(); ++t) step.step(inputs.row(t), context, output);
+              for (Eigen::Index t = 0; t < inputs.rows(); ++t) step.step(inputs.row(t), output);
             }),
             0);
 }
 
 TEST(RadialStep, StaysFiniteWhateverComes) {
-  const StyleModel model(small_parts(5));
+  const auto model = model_of(small_parts(5));
   for (const double size : {1e6, 1e100, 1e200}) {
-    RadialStep step(model);
-    EXPECT_TRUE(run(model, step, waves(kSecond, model.num_dofs(), size)).allFinite()) << size;
-    EXPECT_TRUE(run(model, step, waves(kSecond, model.num_dofs(), 0.4)).allFinite()) << size;
+    ModelStep<double> step(model);
+    EXPECT_TRUE(run(step, waves(kSecond, model->num_dofs(), size)).allFinite()) << size;
+    EXPECT_TRUE(run(step, waves(kSecond, model->num_dofs(), 0.4)).allFinite()) << size;
   }
 }
 
 TEST(RadialStep, ForgetsAShock) {
-  const StyleModel model(small_parts(5));
-  const FrameMatrix usual = waves(20 * kSecond, model.num_dofs(), 0.4);
-  RadialStep step(model);
-  run(model, step, waves(kSecond, model.num_dofs(), 1e6));
-  EXPECT_LT((run(model, step, usual) - run(model, usual)).bottomRows(kSecond).norm(), kForgotten);
+  const auto model = model_of(small_parts(5));
+  const FrameMatrix usual = waves(20 * kSecond, model->num_dofs(), 0.4);
+  ModelStep<double> step(model);
+  run(step, waves(kSecond, model->num_dofs(), 1e6));
+  EXPECT_LT((run(step, usual) - run(model, usual)).bottomRows(kSecond).norm(), kForgotten);
 }
 
 TEST(RadialStep, KeepsAnOrdinaryDetailByItsShare) {
@@ -162,7 +162,7 @@ TEST(RadialStep, SmoothsTheOutputStyleByTwoLowPassFilters) {
   FrameMatrix inputs = FrameMatrix::Zero(20, dofs);
   inputs.col(kHeight).setConstant(10.0);
   inputs.col(kHeight).head(5).setConstant(-10.0);
-  const FrameMatrix outputs = run(StyleModel(parts), inputs);
+  const FrameMatrix outputs = run(model_of(parts), inputs);
   EXPECT_LT(outputs.col(dofs).head(5).norm(), kRounding);  // the first frame has lasted forever
   const double decay = std::exp(-1.0 / map.smoothing);
   for (int n = 0; n <= 15; ++n) {  // frames since the step
@@ -178,7 +178,7 @@ TEST(RadialStep, TurnsADetailIntoTheOutputStylesAxes) {
   means[joint] = means[joint] * turn.conjugate();
   parts.output = {parts.output.shared_skeleton(), means, parts.output.upright(), parts.output.travel_joint()};
   parts.radial_map->share.setOnes();
-  const StyleModel model(parts);
+  const auto model = model_of(parts);
   FrameMatrix inputs = parts.radial_map->input.col(0).transpose();
   const FrameMatrix plain = run(model, inputs);
   const Eigen::Vector3d detail(0.05, -0.1, 0.02);

@@ -13,8 +13,8 @@
 
 #include <strut/core/error.h>
 #include <strut/core/file.h>
+#include <strut/model/model_step.h>
 #include <strut/model/style_model_io.h>
-#include <strut/translate/signal_translator.h>
 #include <strut/translate/translate_motion.h>
 
 namespace strut {
@@ -83,7 +83,7 @@ TEST(StyleModelFile, OfFormatVersion1TranslatesAsItDid) {
   EXPECT_GT(model->num_states(), 0);
   const std::vector<Eigen::RowVectorXd> expected = read_rows(test::test_file("data/version_1.csv"));
   ASSERT_EQ(expected.size(), 2U);
-  translate::SignalTranslator translator(model);
+  ModelStep<double> translator(model);
   Eigen::RowVectorXd input(model->num_dofs()), output(model->num_dofs() + 1);
   for (int frame = 0; frame < 20; ++frame) {
     for (int dof = 0; dof < model->num_dofs(); ++dof) input[dof] = std::sin(0.3 * frame + dof);

@@ -12,6 +12,7 @@
 #include <strut/motion/legs.h>
 #include <strut/motion/resample.h>
 #include <strut/representation/normalization.h>
+#include <strut/representation/pose_encoder.h>
 #include <strut/representation/representation.h>
 
 namespace strut::representation {
@@ -107,10 +108,12 @@ TEST(Representation, StreamsTheSameRowsAsTheWholeClipAfterTheFirst) {
   const Motion clip = turning_motion(30.0, 1.0);
   const auto rep = fit_representation({clip}, Eigen::Quaterniond::Identity());
   const FrameMatrix whole = encode(rep, clip);
-  Encoder encoder(rep, 30.0);
+  PoseEncoder<double> encoder(rep, 30.0);
+  math::AlignedVector<double> slots(static_cast<std::size_t>(encoder.layout().num_slots()));
   Eigen::RowVectorXd row(rep.num_dofs());
   for (int t = 0; t < clip.num_frames(); ++t) {
-    encoder.encode(clip.frame(t), row);
+    encoder.encode(view(clip.frame(t)), slots.data());
+    encoder.layout().unpack(slots.data(), row);
     if (t == 0) continue;
     EXPECT_EQ(row, Eigen::RowVectorXd(whole.row(t))) << t;
   }

@@ -29,7 +29,7 @@ TEST(TranslateMotion, RetimesUnlessToldNotTo) {
   const auto slower = test::copying_model(clip, std::log(1.5));
   EXPECT_EQ(translate_motion(slower, clip).num_frames(), 134);  // 89 intervals, each half as long again, and one
   EXPECT_EQ(translate_motion(slower, clip, {.retime = false}).num_frames(), clip.num_frames());
-  EXPECT_EQ(translate_motion(slower, clip, {.strength = 0.0}).num_frames(), clip.num_frames());
+  EXPECT_EQ(translate_motion(slower, clip, {.controls = {.strength = 0.0}}).num_frames(), clip.num_frames());
 }
 
 TEST(TranslateMotion, ResamplesOtherFrameRatesThereAndBack) {
@@ -56,8 +56,9 @@ TEST(TranslateMotion, IsTheTranslatorFrameByFrameToTheBit) {
   frames[1] = frames[0];  // the translator cannot know how fast the body is at the first frame
   clip = Motion(clip.shared_skeleton(), 30.0, frames);
   for (const auto& model : remembering_models(clip)) {
-    const Motion whole = translate_motion(model, clip, {.strength = 0.8, .retime = false, .warm_up = 0.0});
-    Translator translator(model, 0.8);
+    const Motion whole =
+        translate_motion(model, clip, {.controls = {.strength = 0.8}, .retime = false, .warm_up = 0.0});
+    Translator translator(model, {.controls = {.strength = 0.8}});
     for (std::size_t t = 0; t < frames.size(); ++t) translator.push(clip.frames()[t], frames[t]);
     EXPECT_EQ(Motion(clip.shared_skeleton(), 30.0, frames).frames(), whole.frames());
   }
@@ -79,7 +80,7 @@ TEST(TranslateMotion, RefusesOtherSkeletonsAndShortClips) {
   const auto other = std::make_shared<const Skeleton>(std::vector<Joint>{{"hips", -1}, {"a", 0}, {"b", 0}});
   EXPECT_THROW(translate_motion(model, Motion(other, 30.0, {rest_pose(*other), rest_pose(*other)})), SkeletonMismatch);
   EXPECT_THROW(translate_motion(model, clip.slice(0, 1)), InvalidArgument);
-  EXPECT_THROW(translate_motion(model, clip, {.strength = 2.0}), InvalidArgument);
+  EXPECT_THROW(translate_motion(model, clip, {.controls = {.strength = 2.0}}), InvalidArgument);
   EXPECT_THROW(translate_motion(model, clip, {.warm_up = -1.0}), InvalidArgument);
 }
 
@@ -96,7 +97,8 @@ TEST(TranslateMotion, AcceptsOtherBoneLengths) {
 TEST(Translator, GivesTheInputBackThroughACopyingModelAtAnyStrength) {
   const Motion clip = test::turning_motion(30.0, 2.0);
   for (const double strength : {0.0, 0.5, 1.0, 1.5}) {
-    Translator translator(test::copying_model(clip, 0.2), strength);
+    Translator translator(test::copying_model(clip, 0.2),
+                          {.controls = {.strength = strength}, .generalization = {.enabled = false}});
     std::vector<Pose> frames(clip.frames().size());
     for (std::size_t t = 0; t < frames.size(); ++t) translator.push(clip.frames()[t], frames[t]);
     EXPECT_LT(test::largest_difference(Motion(clip.shared_skeleton(), 30.0, frames), clip), kRoundTrip) << strength;
@@ -112,8 +114,8 @@ TEST(Translator, StrengthZeroIsTheInputWhateverTheModel) {
         sysid::LtiSystem({}, Eigen::MatrixXd(0, 1), Eigen::MatrixXd(1, 0), 0.5 * Eigen::MatrixXd::Ones(1, 1));
   }
   const auto model = std::make_shared<const StyleModel>(std::move(parts));
-  EXPECT_LT(test::largest_difference(translate_motion(model, clip, {.strength = 0.0}), clip), kRoundTrip);
-  EXPECT_GT(test::largest_difference(translate_motion(model, clip, {.strength = 1.0}), clip), 0.1);
+  EXPECT_LT(test::largest_difference(translate_motion(model, clip, {.controls = {.strength = 0.0}}), clip), kRoundTrip);
+  EXPECT_GT(test::largest_difference(translate_motion(model, clip, {.controls = {.strength = 1.0}}), clip), 0.1);
 }
 
 TEST(Translator, ChangesNothingWhenItRefusesAFrame) {

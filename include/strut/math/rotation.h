@@ -16,10 +16,6 @@ Eigen::Quaterniond exp_map(const Eigen::Vector3d& rotation_vector);
 /// log: unit quaternion -> rotation vector [rad] of length at most pi (the shorter way round).
 Eigen::Vector3d log_map(const Eigen::Quaterniond& rotation);
 
-/// log_map, but of all equivalent rotation vectors (angle plus multiples of 2 pi) the one nearest to `previous`, so
-/// that a sequence of rotations becomes a continuous curve.
-Eigen::Vector3d log_map_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& previous);
-
 /// The rotation that minimizes the sum of squared quaternion distances to `rotations` (signs ignored): the dominant
 /// eigenvector of sum q q^T (Markley et al. 2007). Throws InvalidArgument if empty. Cost O(n).
 Eigen::Quaterniond mean_rotation(const std::vector<Eigen::Quaterniond>& rotations);

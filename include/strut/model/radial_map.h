@@ -32,6 +32,15 @@ struct DetailPart {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< from the input style's axes to the output style's
 };
 
+/// The root's detail parts come first: its velocities, its height, its tilt.
+inline constexpr int kRootDetailParts = 3;
+
+/// To which of them a degree of freedom of the root belongs.
+constexpr int root_detail_part(int dof) {
+  using namespace representation;
+  return dof < kHeight ? 0 : dof == kHeight ? 1 : 2;
+}
+
 /// The parts of a body, in the order of its degrees of freedom. Rotation vectors are seen from each style's mean
 /// orientation of the joint; a detail keeps its direction in the parent's frame, which both styles share.
 std::vector<DetailPart> detail_parts(const representation::Representation& input,

@@ -4,50 +4,57 @@
 
 #include <vector>
 
-#include <Eigen/Core>
-
-#include <strut/model/style_model.h>
+#include <strut/model/packed_model.h>
 
 namespace strut {
 
-/// Steps the radial map of a model. Holds the contexts of the last frames and the filters' states.
+/// Steps the radial map of a model. Holds the contexts of the last frames and the filters' states; copies have the
+/// same.
 ///
 /// A joint whose detail stands out, for half a second or so, from what the examples show and from what the other joints
 /// do now is the performer's own: its detail is kept whole, and kept out of the context, so that it cannot pass for
 /// another place in the movement. Of ordinary detail the examples' share is kept (RadialMap::share).
+template <typename Scalar>
 class RadialStep {
  public:
   /// `model` must outlive it and have a radial map.
-  explicit RadialStep(const StyleModel& model);
+  RadialStep(const PackedModel<Scalar>& model, double frame_rate);
 
-  /// One frame. `input` (num_dofs) in the input representation's units, `context` the model's context of it; writes
-  /// `output` (num_dofs + 1) in the output representation's units. No allocation.
-  /// Cost centres x features + centres in reach x degrees of freedom, twice.
-  void step(const Eigen::Ref<const Eigen::RowVectorXd>& input, const Eigen::Ref<const Eigen::VectorXd>& context,
-            Eigen::Ref<Eigen::RowVectorXd> output);
+  /// One frame. `input`: slots in the input representation's units; `context`: the model's contexts of it (whole
+  /// tiles); writes `output`, slots in the output representation's units. No allocation. Cost: centres x (features +
+  /// slots) twice over.
+  void step(const Scalar* input, const Scalar* context, Scalar* output);
 
   /// Forgets every frame: the next one is taken to have lasted forever.
   void reset() { started_ = false; }
 
- private:
-  void look_up(const Eigen::VectorXd& context);
-  void measure_details(const Eigen::Ref<const Eigen::RowVectorXd>& input);
-  void compare_details();
-  void take_details_out();
-  void filter();
-  void add_details(Eigen::Ref<Eigen::RowVectorXd> output);
+  /// What the basis sees at the latest frame: the contexts at every lag, the newest first (num_features() numbers).
+  [[nodiscard]] const Scalar* features() const noexcept { return features_.data(); }
+  [[nodiscard]] int num_features() const noexcept { return static_cast<int>(features_.size()); }
 
-  const StyleModel* model_;
-  std::vector<DetailPart> parts_;
-  double smoothing_gain_, level_gain_, slow_gain_;  // of one-pole filters, per frame
+ private:
+  using Array = math::AlignedVector<Scalar>;
+
+  void remember(const Scalar* context);
+  void look_up(bool both_styles);
+  void measure_details(const Scalar* input);
+  void compare_details();
+  void take_details_out(const Scalar* context);
+  void filter();
+  void add_details(Scalar* output);
+
+  const PackedModel<Scalar>* model_;
+  const PackedRadialMap<Scalar>* map_;
+  Scalar level_gain_, slow_gain_;  // of one-pole filters, per frame
+  int num_contexts_, num_frames_;
   bool started_ = false;
-  Eigen::Index newest_ = 0;
-  Eigen::MatrixXd history_;                                  // contexts x frames, a ring
-  Eigen::VectorXd context_, features_, activations_;         // seen by the basis
-  Eigen::VectorXd input_style_, output_style_;               // normalized, at this frame
-  Eigen::VectorXd smoothed_, smoothed_twice_;                // of the output style
-  Eigen::Matrix3Xd details_, slow_details_;                  // a column per part, in the units of the dofs
-  Eigen::VectorXd energy_, next_energy_, unusual_, sorted_;  // parts: mean square in deviations, filtered; 0 to 1
+  int newest_ = 0;
+  Array history_;                                      // frames x contexts, a ring
+  Array features_, distances_, activations_, styles_;  // of the basis; both styles, normalized, at this frame
+  Array taken_;                                        // from the context, as detail that stands out
+  Array smoothed_, smoothed_twice_;                    // of the output style
+  Array details_, slow_details_, standing_out_;        // per slot, in its units
+  Array energy_, next_energy_, unusual_, sorted_;      // per part: mean square in deviations, filtered; 0 to 1
 };
 
 }  // namespace strut

@@ -2,10 +2,13 @@
 // A learnt style: everything the runtime needs to put it on new motion, and where it came from. Immutable and shared.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include <strut/model/packed_model.h>
 #include <strut/model/radial_map.h>
 #include <strut/representation/normalization.h>
 #include <strut/representation/representation.h>
@@ -62,8 +65,20 @@ class StyleModel {
   /// States of all blocks together.
   [[nodiscard]] int num_states() const noexcept;
 
+  /// The numbers that ModelStep steps, in float or double.
+  template <typename Scalar>
+  [[nodiscard]] const PackedModel<Scalar>& packed() const noexcept {
+    if constexpr (std::is_same_v<Scalar, float>) {
+      return *packed_float_;
+    } else {
+      return *packed_double_;
+    }
+  }
+
  private:
   StyleModelParts parts_;
+  std::shared_ptr<const PackedModel<float>> packed_float_;
+  std::shared_ptr<const PackedModel<double>> packed_double_;
 };
 
 }  // namespace strut

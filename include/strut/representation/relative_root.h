@@ -42,8 +42,9 @@ RootTransform pelvis_world(const Skeleton& skeleton, const Pose& pose);
 /// The place and heading of a pelvis. `upright` is the pelvis rotation of a body that stands upright facing +Z.
 RootPlacement placement(const RootTransform& root, const Eigen::Quaterniond& upright);
 
-/// The root's degrees of freedom at one frame, `frame_time` [s] after the frame that was at `previous`.
-std::array<double, kNumRootDofs> encode_root(const RootTransform& root, const RootPlacement& previous,
+/// The root's degrees of freedom at one frame, `frame_time` [s] after the frame that was at `previous`, which becomes
+/// where this one is.
+std::array<double, kNumRootDofs> encode_root(const RootTransform& root, RootPlacement& previous,
                                              const Eigen::Quaterniond& upright, double frame_time);
 
 /// The pelvis that `encode_root` saw, and its placement written to `previous` for the next frame. Turning is integrated

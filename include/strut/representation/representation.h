@@ -47,39 +47,6 @@ class Representation {
 /// Throws InvalidArgument if there is no frame, SkeletonMismatch if the hierarchies differ. Cost O(frames x joints).
 Representation fit_representation(const std::vector<Motion>& motions, const Eigen::Quaterniond& upright);
 
-/// Frame by frame from poses to rows. Holds what the previous frame leaves behind: place, heading, and each rotation
-/// vector (to stay on the same branch).
-class Encoder {
- public:
-  Encoder(const Representation& representation, double frame_rate);
-  /// Writes one row (num_dofs). On the first frame the velocities are zero. No allocation.
-  void encode(const Pose& pose, Eigen::Ref<Eigen::RowVectorXd> row);
-  /// Where the latest frame stood.
-  [[nodiscard]] const RootPlacement& placement() const noexcept { return placement_; }
-
- private:
-  const Representation* representation_;
-  double frame_time_;
-  bool started_ = false;
-  RootPlacement placement_;
-  std::vector<Eigen::Vector3d> previous_;
-};
-
-/// Frame by frame from rows to poses: the inverse of Encoder.
-class Decoder {
- public:
-  /// The first frame stands at `start`; its velocities are ignored.
-  Decoder(const Representation& representation, double frame_rate, const RootPlacement& start);
-  /// Writes one pose with the bones (translations) of `bones`. Allocates only if `pose` has another size.
-  void decode(const Eigen::Ref<const Eigen::RowVectorXd>& row, const Pose& bones, Pose& pose);
-
- private:
-  const Representation* representation_;
-  double frame_time_;
-  bool started_ = false;
-  RootPlacement placement_;
-};
-
 /// A whole motion as rows: frames x num_dofs. The first row has the second's velocities.
 /// Throws SkeletonMismatch if the hierarchy differs from the representation's.
 FrameMatrix encode(const Representation& representation, const Motion& motion);
@@ -88,6 +55,9 @@ FrameMatrix encode(const Representation& representation, const Motion& motion);
 /// encode then decode is the identity up to rounding. Throws InvalidArgument if the width is not num_dofs.
 Motion decode(const Representation& representation, const Eigen::Ref<const FrameMatrix>& rows, double frame_rate,
               const RootPlacement& start, const std::shared_ptr<const Skeleton>& skeleton, const Pose& bones);
+
+/// The body in its mean orientations, upright, facing +Z, with its rest bones.
+Pose mean_pose(const Representation& representation);
 
 /// Throws SkeletonMismatch, naming the joints, if `motion` is not of the representation's hierarchy.
 void check_skeleton(const Representation& representation, const Skeleton& skeleton);

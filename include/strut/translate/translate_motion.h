@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Translates a whole clip, re-timed (Hsu et al. 2005, Figure 3, lower row).
+// Translates a whole clip, re-timed (Hsu et al. 2005, Figure 3, lower row): the translator of translator.h, frame by
+// frame, and what needs the whole clip.
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <strut/core/diagnostics.h>
 #include <strut/model/style_model.h>
 #include <strut/motion/motion.h>
+#include <strut/postprocess/generalization.h>
+#include <strut/translate/controls.h>
 
 namespace strut {
 
 struct TranslateOptions {
-  double strength = 1.0;  ///< 0: the input; 1: the style; up to 1.5
-  bool retime = true;     ///< apply the style's timing; false keeps the input's
-  double warm_up = 0.3;   ///< run the model over this much backward extrapolation first [s]; 0 starts from x0 = 0
+  TranslatorControls controls{};
+  postprocess::GeneralizationOptions generalization{};
+  bool retime = true;  ///< apply the style's timing; false keeps the input's
+  double warm_up =
+      0.3;  ///< run the model over this much backward extrapolation first [s], 0 to 60; 0 starts from x0 = 0
 };
 
-/// The clip in the model's output style, at the clip's own frame rate, starting where the clip starts, with the clip's
-/// bones. A clip of another frame rate is resampled for the model and back.
+/// The clip in the output style of `models` (one, or several that are blended), at the clip's own frame rate, starting
+/// where the clip starts, with the clip's bones. A clip of another frame rate is resampled for the model and back.
 /// Throws SkeletonMismatch, naming joints, if the hierarchy is not the model's; InvalidArgument if the clip has fewer
 /// than two frames or an option is out of range. Cost O(frames x joints).
+Motion translate_motion(const std::vector<std::shared_ptr<const StyleModel>>& models, const Motion& clip,
+                        const TranslateOptions& options = {}, Diagnostics* diagnostics = nullptr);
+
+/// The same with one model.
 Motion translate_motion(const std::shared_ptr<const StyleModel>& model, const Motion& clip,
                         const TranslateOptions& options = {}, Diagnostics* diagnostics = nullptr);
 

@@ -4,42 +4,86 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include <strut/representation/representation.h>
-#include <strut/translate/signal_translator.h>
+#include <strut/motion/pose_view.h>
+#include <strut/postprocess/generalization.h>
+#include <strut/translate/controls.h>
 
 namespace strut {
 
-/// Translates a stream of poses. One per character; the model may be shared by any number of threads.
-class Translator {
+class StyleModel;
+
+/// What is fixed for a translator's life.
+struct TranslatorOptions {
+  TranslatorControls controls{};                        ///< what the controls are at first
+  postprocess::GeneralizationOptions generalization{};  ///< of input that is unlike the examples
+  double glide = 0.08;  ///< reach of the smoothing of controls that are moved [s], 0 or more: most of it is done in
+                        ///< four times that
+};
+
+/// Translates a stream of poses, in Scalar (float or double). One per character. It shares the models with any number
+/// of others, in any threads; its own calls must not overlap. Copies have the same state: a copy is a snapshot.
+template <typename Scalar>
+class BasicTranslator {
  public:
-  /// `strength`: 0 gives the input, 1 the style, up to 1.5 more than the style.
-  /// Throws InvalidArgument if `model` is null or `strength` is outside [0, 1.5].
-  explicit Translator(std::shared_ptr<const StyleModel> model, double strength = 1.0);
+  /// One model, or several that are blended (TranslatorControls::weights): of one hierarchy and frame rate.
+  /// Throws InvalidArgument if there is no model, one is null, their rates differ, or an option is out of range;
+  /// SkeletonMismatch if their hierarchies differ.
+  explicit BasicTranslator(std::shared_ptr<const StyleModel> model, const TranslatorOptions& options = {});
+  explicit BasicTranslator(std::vector<std::shared_ptr<const StyleModel>> models,
+                           const TranslatorOptions& options = {});
+  BasicTranslator(const BasicTranslator& other);
+  BasicTranslator(BasicTranslator&&) noexcept;
+  BasicTranslator& operator=(BasicTranslator other) noexcept;
+  ~BasicTranslator();
 
   /// Translates the next frame; the frames are model().frame_rate() apart. The first output stands where the first
-  /// input stands; bones are the input's. Zero latency; allocates nothing once `output` has its size.
-  /// Throws InvalidArgument, before anything changes, if `input` has another number of joints, a non-finite number or a
-  /// rotation that is not of unit length.
+  /// input stands; bones are the input's. No latency, no lock, no allocation. `output` may be `input`.
+  /// Throws InvalidArgument, before anything changes, if either has another number of joints, or `input` a number that
+  /// is not finite, a translation of 10,000 km or a rotation that is not of unit length (within 1e-3).
+  /// Cost: docs/performance.md.
+  void push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
+
+  /// The same for poses, converted where Scalar is float; allocates only if `output` has another size.
   void push(const Pose& input, Pose& output);
+
+  /// Runs the model over what may have come before a stream that is about to begin with `opening`, in time backwards
+  /// from it (representation/extrapolation.h), so that the first frames are usable. `opening`: the first frames, two or
+  /// more, which are pushed afterwards as usual; `frames`: how many are made up. To be called before the first push;
+  /// allocates. Throws InvalidArgument as push does, or if something was pushed already.
+  void warm_up(const std::vector<Pose>& opening, int frames);
+
+  /// Moves the controls: they glide there over the next frames; before the first frame they are there at once.
+  /// No allocation if `controls.weights` is empty. Throws InvalidArgument if one is out of range (check_controls).
+  void set_controls(const TranslatorControls& controls);
+  [[nodiscard]] const TranslatorControls& controls() const noexcept;
 
   /// How long the latest frame lasts in the output style [frames], for callers that re-time by themselves.
   [[nodiscard]] double time_warp() const;
 
-  /// Forgets everything pushed.
+  /// How much of the input was blended into the latest frame because it is unlike the examples, 0 to 1.
+  [[nodiscard]] double input_share() const;
+
+  /// Forgets everything pushed; controls arrive where they were going.
   void reset();
 
-  [[nodiscard]] const StyleModel& model() const noexcept { return step_.model(); }
+  /// Takes over the state of `snapshot`, a copy made earlier of this translator or of one made alike. No allocation.
+  /// Throws InvalidArgument if it has other models.
+  void restore(const BasicTranslator& snapshot);
+
+  [[nodiscard]] const StyleModel& model(int index = 0) const;
+  [[nodiscard]] int num_models() const noexcept;
 
  private:
-  void start();
-
-  translate::SignalTranslator step_;
-  double strength_;
-  representation::Encoder encoder_;
-  representation::Decoder decoder_;
-  bool started_ = false;
-  Eigen::RowVectorXd input_row_, output_row_;
+  struct Stream;
+  std::unique_ptr<Stream> stream_;
 };
+
+using Translator = BasicTranslator<double>;
+using FloatTranslator = BasicTranslator<float>;
+
+extern template class BasicTranslator<float>;
+extern template class BasicTranslator<double>;
 
 }  // namespace strut

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <strut/core/error.h>
+#include <strut/model/model_step.h>
+
+namespace strut {
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+template <typename Scalar>
+ModelStep<Scalar>::ModelStep(std::shared_ptr<const StyleModel> model) : model_(std::move(model)) {
+  if (!model_) throw InvalidArgument("model", "a style model", "null");
+  packed_ = &model_->packed<Scalar>();
+  const int slots = layout().num_slots();
+  inputs_.resize(at(slots + packed_->context.num_rows()));
+  state_.resize(at(packed_->blocks.state_size()));
+  scratch_.resize(at(packed_->blocks.scratch_size()));
+  row_input_.resize(at(slots));
+  row_output_.resize(at(slots));
+  if (packed_->radial_map) radial_.emplace(*packed_, model_->frame_rate());
+}
+
+template <typename Scalar>
+void ModelStep<Scalar>::step(const Scalar* input, Scalar* output) {
+  const int slots = layout().num_slots();
+  for (int slot = 0; slot < slots; ++slot) {
+    inputs_[at(slot)] = (input[slot] - packed_->input_mean[at(slot)]) * packed_->input_inverse[at(slot)];
+  }
+  Scalar* contexts = inputs_.data() + slots;
+  packed_->context.multiply(packed_->context.num_rows(), inputs_.data(), contexts);
+  if (radial_) {
+    radial_->step(input, contexts, output);
+    return;
+  }
+  std::fill_n(output, slots, Scalar(0));
+  packed_->blocks.step(inputs_.data(), state_.data(), scratch_.data(), output);
+  for (int slot = 0; slot < slots; ++slot) {
+    output[slot] = packed_->output_mean[at(slot)] + packed_->output_scale[at(slot)] * output[slot];
+  }
+}
+
+template <typename Scalar>
+void ModelStep<Scalar>::step(const Eigen::Ref<const Eigen::RowVectorXd>& input, Eigen::Ref<Eigen::RowVectorXd> output) {
+  layout().pack(input, row_input_.data());
+  step(row_input_.data(), row_output_.data());
+  layout().unpack(row_output_.data(), output);
+}
+
+template <typename Scalar>
+void ModelStep<Scalar>::reset() {
+  std::fill(state_.begin(), state_.end(), Scalar(0));
+  if (radial_) radial_->reset();
+}
+
+template <typename Scalar>
+Scalar ModelStep<Scalar>::largest_deviation() const {
+  Scalar largest = Scalar(0);
+  for (int slot = 0; slot < layout().num_slots(); ++slot) {
+    largest = std::max(largest, std::abs(inputs_[at(slot)]));
+  }
+  return largest;
+}
+
+template class ModelStep<float>;
+template class ModelStep<double>;
+
+}  // namespace strut
