@@ -68,11 +68,11 @@ void LearnStyle(benchmark::State& state, LearnMethod method) {
 
 void StepModel(benchmark::State& state, LearnMethod method) {
   const LearntStyle& style = learnt(method);
-  strut::ModelStep<double> translator(style.model);
+  strut::ModelStep<double> step(style.model);
   const strut::FrameMatrix rows = strut::representation::encode(style.model->input(), walk(1.2, 0.0, 50));
   Eigen::RowVectorXd output(style.model->num_dofs() + 1);
   for (auto _ : state) {
-    for (Eigen::Index t = 0; t < rows.rows(); ++t) translator.step(rows.row(t), output);
+    for (Eigen::Index t = 0; t < rows.rows(); ++t) step.step(rows.row(t), output);
     benchmark::DoNotOptimize(output.data());
   }
   state.SetItemsProcessed(state.iterations() * rows.rows());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <limits>
 
 #include <strut/core/error.h>
 #include <strut/motion/motion.h>
@@ -8,6 +9,8 @@ namespace strut {
 namespace {
 
 constexpr double kUnitLengthTolerance = 1e-6;  // a product of twenty rounded unit quaternions stays within 1e-14
+
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 void check_and_normalize(Pose& pose, int num_joints, std::size_t frame) {
   const std::string which = "frames[" + std::to_string(frame) + "]";
@@ -26,7 +29,8 @@ void check_and_normalize(Pose& pose, int num_joints, std::size_t frame) {
       throw InvalidArgument(which, "unit rotations",
                             "one of length " + std::to_string(length) + " at joint " + std::to_string(j));
     }
-    if (length != 1.0) pose.rotations[j].coeffs() /= length;
+    // One that is of unit length up to rounding stays as it is, to the bit: dividing would only round it again.
+    if (std::abs(length - 1.0) > kRounding) pose.rotations[j].coeffs() /= length;
   }
 }
 
