@@ -9,6 +9,7 @@
 
 #include <strut/generate/walker.h>
 #include <strut/learn/learn_style.h>
+#include <strut/model/model_step.h>
 #include <strut/translate/translate_motion.h>
 #include <strut/translate/translator.h>
 
