@@ -60,9 +60,35 @@ void log_maps_near(int count, int stride, const Scalar* rotations, Scalar* vecto
   }
 }
 
+template <typename Scalar>
+void multiply_rotations(int count, int stride, const Scalar* a, const Scalar* b, Scalar* product) {
+  vector_kernels<Scalar>().multiply_rotations(count, stride, a, b, product);
+}
+
+template <typename Scalar>
+void turn_vectors(int count, int stride, const Scalar* matrices, const Scalar* vectors, Scalar* turned) {
+  vector_kernels<Scalar>().turn_vectors(count, stride, matrices, vectors, turned);
+}
+
+template <typename Scalar>
+void to_planes(int num_joints, int stride, const Scalar* quaternions, Scalar* planes) {
+  for (int i = 0; i < num_joints; ++i) {
+    for (int part = 0; part < 4; ++part) planes[i + part * stride] = quaternions[4 * i + part];
+  }
+  for (int i = num_joints; i < stride; ++i) {
+    for (int part = 0; part < 4; ++part) planes[i + part * stride] = part == 3 ? Scalar(1) : Scalar(0);
+  }
+}
+
 template void exp_maps(int, int, const float*, float*);
 template void exp_maps(int, int, const double*, double*);
 template void log_maps_near(int, int, const float*, float*);
 template void log_maps_near(int, int, const double*, double*);
+template void multiply_rotations(int, int, const float*, const float*, float*);
+template void multiply_rotations(int, int, const double*, const double*, double*);
+template void turn_vectors(int, int, const float*, const float*, float*);
+template void turn_vectors(int, int, const double*, const double*, double*);
+template void to_planes(int, int, const float*, float*);
+template void to_planes(int, int, const double*, double*);
 
 }  // namespace strut::math

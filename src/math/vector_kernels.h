@@ -15,6 +15,10 @@ struct VectorKernels {
   void (*exp_maps)(int count, int stride, const T* vectors, T* rotations);
   /// Logarithm maps, the shortest rotations, of quaternions of any length but zero.
   void (*log_maps)(int count, int stride, const T* rotations, T* vectors);
+  /// Products a b of quaternions, 4 planes each.
+  void (*multiply_rotations)(int count, int stride, const T* a, const T* b, T* product);
+  /// `matrices` (9 planes, row by row) times `vectors` (3 planes).
+  void (*turn_vectors)(int count, int stride, const T* matrices, const T* vectors, T* turned);
   /// x = exp((offset - x) * scale) where offset <= x, scale > 0; gives the sum.
   T (*exponentials)(int count, T offset, T scale, T* x);
   /// The smallest of x.

@@ -143,6 +143,29 @@ void log_maps(int count, int stride, const T* __restrict rotations, T* __restric
 }
 
 template <typename T>
+void multiply_rotations(int count, int stride, const T* __restrict a, const T* __restrict b, T* __restrict product) {
+  const int y = stride, z = 2 * stride, w = 3 * stride;
+  for (int i = 0; i < count; ++i) {
+    product[i] = a[i + w] * b[i] + a[i] * b[i + w] + a[i + y] * b[i + z] - a[i + z] * b[i + y];
+    product[i + y] = a[i + w] * b[i + y] - a[i] * b[i + z] + a[i + y] * b[i + w] + a[i + z] * b[i];
+    product[i + z] = a[i + w] * b[i + z] + a[i] * b[i + y] - a[i + y] * b[i] + a[i + z] * b[i + w];
+    product[i + w] = a[i + w] * b[i + w] - a[i] * b[i] - a[i + y] * b[i + y] - a[i + z] * b[i + z];
+  }
+}
+
+template <typename T>
+void turn_vectors(int count, int stride, const T* __restrict matrices, const T* __restrict vectors,
+                  T* __restrict turned) {
+  for (int row = 0; row < 3; ++row) {
+    const T* m = matrices + 3 * row * stride;
+    T* __restrict result = turned + row * stride;
+    for (int i = 0; i < count; ++i) {
+      result[i] = m[i] * vectors[i] + m[i + stride] * vectors[i + stride] + m[i + 2 * stride] * vectors[i + 2 * stride];
+    }
+  }
+}
+
+template <typename T>
 inline T exponential(T x) {
   using Integer = typename Precision<T>::Integer;
   constexpr T kLog2Low = static_cast<T>(std::numbers::ln2 - static_cast<double>(Precision<T>::kLog2High));
@@ -238,8 +261,9 @@ void step_systems(int states, int inputs, int outputs, const T* __restrict matri
 }
 
 template <typename T>
-constexpr VectorKernels<T> kKernels = {exp_maps<T>, log_maps<T>,          exponentials<T>, smallest<T>,
-                                       multiply<T>, squared_distances<T>, step_systems<T>};
+constexpr VectorKernels<T> kKernels = {exp_maps<T>,     log_maps<T>,          multiply_rotations<T>,
+                                       turn_vectors<T>, exponentials<T>,      smallest<T>,
+                                       multiply<T>,     squared_distances<T>, step_systems<T>};
 
 }  // namespace
 }  // namespace strut::math

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <strut/math/rotation_planes.h>
+#include <strut/math/rotation_arrays.h>
 #include <strut/model/radial_step.h>
 
 namespace strut {
@@ -50,6 +50,7 @@ RadialStep<Scalar>::RadialStep(const PackedModel<Scalar>& model, double frame_ra
   activations_.resize(distances_.size());
   styles_.resize(at(map_->styles.num_rows()));
   taken_.resize(at(model.context.num_rows()));
+  turned_.resize(at(3 * model.layout.plane()));
   for (Array* array : {&smoothed_, &smoothed_twice_, &details_, &slow_details_, &standing_out_})
     array->resize(at(slots));
   for (Array* array : {&energy_, &next_energy_, &unusual_, &sorted_}) array->resize(at(parts));
@@ -207,8 +208,8 @@ void RadialStep<Scalar>::add_details(Scalar* output) {
       kept[i * plane + joint] = kept_of(RowLayout::kRotations + i * plane + joint, kLanes + joint);
     }
   }
-  math::turn_vectors(plane, plane, map_->turns.data(), kept, kept);
-  for (int i = 0; i < 3 * plane; ++i) output[RowLayout::kRotations + i] += kept[i];
+  math::turn_vectors(plane, plane, map_->turns.data(), kept, turned_.data());
+  for (int i = 0; i < 3 * plane; ++i) output[RowLayout::kRotations + i] += turned_[at(i)];
 }
 
 template class RadialStep<float>;

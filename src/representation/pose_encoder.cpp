@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <strut/math/rotation_arrays.h>
-#include <strut/math/rotation_planes.h>
 #include <strut/representation/pose_encoder.h>
 
 namespace strut::representation {
@@ -58,6 +57,7 @@ PoseEncoder<Scalar>::PoseEncoder(const Representation& representation, double fr
       upright_(representation.upright()),
       frame_time_(1.0 / frame_rate),
       means_(means_of<Scalar>(representation, layout_, true)),
+      given_(means_.size()),
       relative_(means_.size()),
       previous_(at(3 * layout_.plane())) {}
 
@@ -71,8 +71,8 @@ void PoseEncoder<Scalar>::encode(const PoseView<const Scalar>& pose, Scalar* row
     row[dof] = dof < kNumRootDofs ? static_cast<Scalar>(dofs[at(dof)]) : Scalar(0);
   }
   const int plane = layout_.plane();
-  math::to_planes(layout_.num_joints(), plane, pose.rotations + 4 * (pelvis_ + 1), relative_.data());
-  math::multiply_rotations(plane, plane, means_.data(), relative_.data(), relative_.data());
+  math::to_planes(layout_.num_joints(), plane, pose.rotations + 4 * (pelvis_ + 1), given_.data());
+  math::multiply_rotations(plane, plane, means_.data(), given_.data(), relative_.data());
   math::log_maps_near(plane, plane, relative_.data(), previous_.data());
   std::copy(previous_.begin(), previous_.end(), row + RowLayout::kRotations);
 }
@@ -93,6 +93,7 @@ PoseDecoder<Scalar>::PoseDecoder(const Representation& representation, double fr
       placement_(start),
       standing_offset_(Eigen::Vector3d::Zero()),
       means_(means_of<Scalar>(representation, layout_, false)),
+      movement_(means_.size()),
       rotations_(means_.size()) {
   for (int joint = 0; joint <= pelvis_; ++joint) {
     chain_offsets_.push_back(representation.skeleton().joint(joint).offset);
@@ -103,8 +104,8 @@ PoseDecoder<Scalar>::PoseDecoder(const Representation& representation, double fr
 template <typename Scalar>
 void PoseDecoder<Scalar>::decode(const Scalar* row, const PoseView<const Scalar>& bones, const PoseView<Scalar>& pose) {
   const int plane = layout_.plane();
-  math::exp_maps(plane, plane, row + RowLayout::kRotations, rotations_.data());
-  math::multiply_rotations(plane, plane, means_.data(), rotations_.data(), rotations_.data());
+  math::exp_maps(plane, plane, row + RowLayout::kRotations, movement_.data());
+  math::multiply_rotations(plane, plane, means_.data(), movement_.data(), rotations_.data());
   decode(row, rotations_.data(), upright_, bones, pose);
 }
 

@@ -42,6 +42,13 @@ class Glide {
   }
   [[nodiscard]] const std::vector<double>& value() const noexcept { return value_; }
 
+  /// As PoseEncoder::visit_state.
+  template <typename Visit>
+  void visit_state(Visit&& visit) {
+    visit(&has_arrived_, 1);
+    for (std::vector<double>* numbers : {&target_, &middle_, &value_}) visit(numbers->data(), numbers->size());
+  }
+
  private:
   double gain_;
   std::vector<double> target_, middle_, value_;

@@ -3,7 +3,6 @@
 
 #include <strut/math/rotation.h>
 #include <strut/math/rotation_arrays.h>
-#include <strut/math/rotation_planes.h>
 
 namespace strut::translate {
 namespace {
@@ -31,7 +30,7 @@ template <typename Scalar>
 StyleMix<Scalar>::StyleMix(const StyleModel& model) : plane_(RowLayout(model.num_dofs()).plane()) {
   for (Array* array : {&input_turns_, &output_turns_}) array->resize(at(9 * plane_));
   for (Array* array : {&mean_step_, &from_, &to_}) array->resize(at(3 * plane_));
-  for (Array* array : {&input_means_, &rotations_, &turned_}) array->resize(at(4 * plane_));
+  for (Array* array : {&input_means_, &means_, &step_, &rotations_}) array->resize(at(4 * plane_));
   std::fill(input_means_.begin() + 3 * plane_, input_means_.end(), Scalar(1));
   int lane = 0;
   for (const int joint : model.input().joints()) {
@@ -57,16 +56,18 @@ void StyleMix<Scalar>::mix(const Scalar* input, const Scalar* output, const MixW
   math::turn_vectors(plane_, plane_, input_turns_.data(), input + kRoot, from_.data());
   math::turn_vectors(plane_, plane_, output_turns_.data(), output + kRoot, to_.data());
   for (int axis = 0; axis < 3; ++axis) {
+    Scalar* from = from_.data() + axis * plane_;
+    Scalar* to = to_.data() + axis * plane_;
+    const Scalar* step = mean_step_.data() + axis * plane_;
     for (int joint = 0; joint < plane_; ++joint) {
-      const auto i = at(axis * plane_ + joint);
-      from_[i] += share * weights.movement[at(joint)] * (to_[i] - from_[i]);
-      to_[i] = share * weights.pose[at(joint)] * mean_step_[i];
+      from[joint] += share * weights.movement[at(joint)] * (to[joint] - from[joint]);
+      to[joint] = share * weights.pose[at(joint)] * step[joint];
     }
   }
-  math::exp_maps(plane_, plane_, to_.data(), turned_.data());
-  math::multiply_rotations(plane_, plane_, turned_.data(), input_means_.data(), turned_.data());
-  math::exp_maps(plane_, plane_, from_.data(), rotations_.data());
-  math::multiply_rotations(plane_, plane_, rotations_.data(), turned_.data(), rotations_.data());
+  math::exp_maps(plane_, plane_, to_.data(), step_.data());
+  math::multiply_rotations(plane_, plane_, step_.data(), input_means_.data(), means_.data());
+  math::exp_maps(plane_, plane_, from_.data(), step_.data());
+  math::multiply_rotations(plane_, plane_, step_.data(), means_.data(), rotations_.data());
 }
 
 template class StyleMix<float>;

@@ -43,7 +43,8 @@ class StyleMix {
   Array input_means_;                   // 4 planes
   std::array<Scalar, kRoot> static_{};  // of the root: the part of output - input that is posture
   std::array<Scalar, kRoot> root_{};
-  Array from_, to_, rotations_, turned_;
+  Array from_, to_;                 // 3 planes
+  Array step_, means_, rotations_;  // 4 planes
 };
 
 }  // namespace strut::translate

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "translate/check_pose.h"
 #include "translate/glide.h"
 #include "translate/style_mix.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <string>
+#include <type_traits>
 
 #include <strut/core/error.h>
 #include <strut/math/rotation.h>
@@ -20,35 +23,8 @@ namespace {
 using representation::kHeight;
 using representation::RowLayout;
 
-// Translations farther than this [m] are no body's; what follows from nearer ones is a number in single precision.
-constexpr double kFarthestTranslation = 1e7;
-
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
-}
-
-[[noreturn]] void refuse_joints(const char* name, int expected, int got) {
-  throw InvalidArgument(name, std::to_string(expected) + " joints", std::to_string(got));
-}
-
-template <typename Scalar>
-void check_pose(const PoseView<const Scalar>& pose, int num_joints) {
-  if (pose.num_joints != num_joints) refuse_joints("input", num_joints, pose.num_joints);
-  constexpr auto kUnitLengthTolerance = Scalar(1e-3);  // rounding is a thousand times less; a wrong order is far off
-  constexpr auto kFarthest = static_cast<Scalar>(kFarthestTranslation);
-  for (int j = 0; j < num_joints; ++j) {
-    const Scalar* q = pose.rotations + 4 * j;
-    const Scalar* t = pose.translations + 3 * j;
-    const Scalar length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    // Comparisons with NaN are false.
-    const bool is_unit = std::abs(length - Scalar(1)) < kUnitLengthTolerance;
-    const bool is_near = std::max({std::abs(t[0]), std::abs(t[1]), std::abs(t[2])}) < kFarthest && t[0] == t[0] &&
-                         t[1] == t[1] && t[2] == t[2];
-    if (!is_unit || !is_near) {
-      throw InvalidArgument("input", "unit rotations and translations of less than 10,000 km",
-                            "others at joint " + std::to_string(j));
-    }
-  }
 }
 
 void check_options(const TranslatorOptions& options) {
@@ -119,6 +95,15 @@ struct Branch {
     }
   }
 
+  template <typename Visit>
+  void visit_state(Visit&& visit) {
+    step.visit_state(visit);
+    encoder.visit_state(visit);
+    share.visit_state(visit);
+    visit(&has_opening, 1);
+    visit(opening.data(), opening.size());
+  }
+
   ModelStep<Scalar> step;
   representation::PoseEncoder<Scalar> encoder;
   translate::StyleMix<Scalar> mix;
@@ -140,6 +125,14 @@ struct BasicTranslator<Scalar>::Stream {
   void weigh_joints();
   void blend();
   [[nodiscard]] double weight(std::size_t branch) const { return weights.value()[branch]; }
+  template <typename Visit>
+  void visit_state(Visit&& visit) {
+    for (Branch<Scalar>& branch : branches) branch.visit_state(visit);
+    strengths.visit_state(visit);
+    weights.visit_state(visit);
+    decoder.visit_state(visit);
+    visit(&started, 1);
+  }
 
   std::vector<std::shared_ptr<const StyleModel>> models;
   TranslatorOptions options;
@@ -306,16 +299,16 @@ BasicTranslator<Scalar>& BasicTranslator<Scalar>::operator=(BasicTranslator othe
 template <typename Scalar>
 void BasicTranslator<Scalar>::push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
   const int joints = model().skeleton().num_joints();
-  if (output.num_joints != joints) refuse_joints("output", joints, output.num_joints);
-  check_pose(input, joints);
+  translate::check_num_joints("output", output.num_joints, joints);
+  translate::check_pose(input, joints);
   stream_->push(input, output);
 }
 
 template <typename Scalar>
 void BasicTranslator<Scalar>::push(const Pose& input, Pose& output) {
   const auto joints = static_cast<std::size_t>(model().skeleton().num_joints());
-  if (input.rotations.size() != joints || input.translations.size() != joints) {
-    refuse_joints("input", static_cast<int>(joints), static_cast<int>(input.rotations.size()));
+  for (const std::size_t size : {input.rotations.size(), input.translations.size()}) {
+    translate::check_num_joints("input", static_cast<int>(size), static_cast<int>(joints));
   }
   output.rotations.resize(joints);
   output.translations.resize(joints);
@@ -340,7 +333,7 @@ template <typename Scalar>
 void BasicTranslator<Scalar>::warm_up(const std::vector<Pose>& opening, int frames) {
   if (stream_->started) throw InvalidArgument("opening", "no frame pushed before", "a stream that runs");
   if (opening.size() < 2) throw InvalidArgument("opening", "two frames or more", std::to_string(opening.size()));
-  for (const Pose& pose : opening) check_pose(view(pose), model().skeleton().num_joints());
+  for (const Pose& pose : opening) translate::check_pose(view(pose), model().skeleton().num_joints());
   const Motion clip(model().output().shared_skeleton(), model().frame_rate(), opening);
   for (Branch<Scalar>& branch : stream_->branches) {
     const FrameMatrix rows = representation::encode(branch.step.model().input(), clip);
@@ -386,6 +379,31 @@ void BasicTranslator<Scalar>::restore(const BasicTranslator& snapshot) {
     throw InvalidArgument("snapshot", "one of a translator of the same models", "one of others");
   }
   *stream_ = *snapshot.stream_;
+}
+
+template <typename Scalar>
+std::size_t BasicTranslator<Scalar>::state_size() const {
+  std::size_t size = 0;
+  stream_->visit_state([&size](auto* first, std::size_t count) { size += count * sizeof(*first); });
+  return size;
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::save_state(std::byte* bytes) const {
+  stream_->visit_state([&bytes](auto* first, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<std::remove_pointer_t<decltype(first)>>);
+    if (count > 0) std::memcpy(bytes, first, count * sizeof(*first));
+    bytes += count * sizeof(*first);
+  });
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::load_state(const std::byte* bytes) {
+  stream_->visit_state([&bytes](auto* first, std::size_t count) {
+    if (count > 0) std::memcpy(first, bytes, count * sizeof(*first));
+    bytes += count * sizeof(*first);
+  });
+  stream_->weigh_joints();
 }
 
 template <typename Scalar>

@@ -28,4 +28,17 @@ void exp_maps(int count, int stride, const Scalar* vectors, Scalar* rotations);
 template <typename Scalar>
 void log_maps_near(int count, int stride, const Scalar* rotations, Scalar* vectors);
 
+/// `product` = a b, quaternions (4 planes each). Otherwise as above.
+template <typename Scalar>
+void multiply_rotations(int count, int stride, const Scalar* a, const Scalar* b, Scalar* product);
+
+/// `turned` (3 planes) = `matrices` (9 planes, row by row) times `vectors` (3 planes). Otherwise as above.
+template <typename Scalar>
+void turn_vectors(int count, int stride, const Scalar* matrices, const Scalar* vectors, Scalar* turned);
+
+/// Poses keep a joint's quaternion together (x, y, z, w), planes keep it apart. Joints from `num_joints` up to `stride`
+/// become rotations by nothing.
+template <typename Scalar>
+void to_planes(int num_joints, int stride, const Scalar* quaternions, Scalar* planes);
+
 }  // namespace strut::math

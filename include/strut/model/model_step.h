@@ -30,6 +30,13 @@ class ModelStep {
   /// Back to rest.
   void reset();
 
+  /// As RadialStep::visit_state.
+  template <typename Visit>
+  void visit_state(Visit&& visit) {
+    visit(state_.data(), state_.size());
+    if (radial_) radial_->visit_state(visit);
+  }
+
   /// How far the latest input lies from the examples: the largest absolute value over the degrees of freedom that were
   /// kept, in the examples' deviations.
   [[nodiscard]] Scalar largest_deviation() const;

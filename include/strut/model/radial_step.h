@@ -28,6 +28,16 @@ class RadialStep {
   /// Forgets every frame: the next one is taken to have lasted forever.
   void reset() { started_ = false; }
 
+  /// Calls `visit(first, count)` for every array of plain numbers that frames leave behind, always in the same order.
+  template <typename Visit>
+  void visit_state(Visit&& visit) {
+    visit(&started_, 1);
+    visit(&newest_, 1);
+    for (Array* array : {&history_, &smoothed_, &smoothed_twice_, &slow_details_, &energy_}) {
+      visit(array->data(), array->size());
+    }
+  }
+
   /// What the basis sees at the latest frame: the contexts at every lag, the newest first (num_features() numbers).
   [[nodiscard]] const Scalar* features() const noexcept { return features_.data(); }
   [[nodiscard]] int num_features() const noexcept { return static_cast<int>(features_.size()); }
@@ -54,6 +64,7 @@ class RadialStep {
   Array taken_;                                        // from the context, as detail that stands out
   Array smoothed_, smoothed_twice_;                    // of the output style
   Array details_, slow_details_, standing_out_;        // per slot, in its units
+  Array turned_;                                       // details of joints, in the output style's axes
   Array energy_, next_energy_, unusual_, sorted_;      // per part: mean square in deviations, filtered; 0 to 1
 };
 

@@ -28,6 +28,13 @@ class PoseEncoder {
   [[nodiscard]] const RowLayout& layout() const noexcept { return layout_; }
   /// Forgets every frame.
   void reset();
+  /// Calls `visit(first, count)` for every array of plain numbers that frames leave behind, always in the same order.
+  template <typename Visit>
+  void visit_state(Visit&& visit) {
+    visit(&started_, 1);
+    visit(&placement_, 1);
+    visit(previous_.data(), previous_.size());
+  }
 
  private:
   RowLayout layout_;
@@ -37,7 +44,8 @@ class PoseEncoder {
   bool started_ = false;
   RootPlacement placement_;
   math::AlignedVector<Scalar> means_;     // planes x, y, z, w
-  math::AlignedVector<Scalar> relative_;  // the same, of the rotations from them
+  math::AlignedVector<Scalar> given_;     // the same, of a pose
+  math::AlignedVector<Scalar> relative_;  // the same, of the rotations from the means
   math::AlignedVector<Scalar> previous_;  // planes x, y, z
 };
 
@@ -58,6 +66,12 @@ class PoseDecoder {
 
   /// Stands at `start` again.
   void restart(const RootPlacement& start);
+  /// As PoseEncoder::visit_state.
+  template <typename Visit>
+  void visit_state(Visit&& visit) {
+    visit(&started_, 1);
+    visit(&placement_, 1);
+  }
 
  private:
   void place_chain(const RootTransform& root, const PoseView<Scalar>& pose) const;
@@ -68,9 +82,9 @@ class PoseDecoder {
   double frame_time_;
   bool started_ = false;
   RootPlacement placement_;
-  std::vector<Eigen::Vector3d> chain_offsets_;     // of the joints down to the pelvis [m]
-  Eigen::Vector3d standing_offset_;                // of all of them but the one that travels [m]
-  math::AlignedVector<Scalar> means_, rotations_;  // planes x, y, z, w
+  std::vector<Eigen::Vector3d> chain_offsets_;                // of the joints down to the pelvis [m]
+  Eigen::Vector3d standing_offset_;                           // of all of them but the one that travels [m]
+  math::AlignedVector<Scalar> means_, movement_, rotations_;  // planes x, y, z, w
 };
 
 }  // namespace strut::representation

@@ -3,6 +3,7 @@
 // because applying it would break the synchrony with the performer; translate_motion.h applies it.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -71,6 +72,14 @@ class BasicTranslator {
   /// Takes over the state of `snapshot`, a copy made earlier of this translator or of one made alike. No allocation.
   /// Throws InvalidArgument if it has other models.
   void restore(const BasicTranslator& snapshot);
+
+  /// The state alone, as bytes that mean something to translators of the same models and options on this machine:
+  /// everything that pushed frames and moved controls leave behind. To keep many characters apart in little memory.
+  [[nodiscard]] std::size_t state_size() const;
+  /// Writes state_size() bytes. No allocation.
+  void save_state(std::byte* bytes) const;
+  /// Takes over what `save_state` wrote; controls() still says what it said. No allocation.
+  void load_state(const std::byte* bytes);
 
   [[nodiscard]] const StyleModel& model(int index = 0) const;
   [[nodiscard]] int num_models() const noexcept;
