@@ -22,6 +22,7 @@ struct Examples {
   double frame_rate;  ///< [frames/s]
   StyleSignals input, output;
   std::vector<ClipPair> pairs;
+  std::vector<FrameMatrix> planted{};  ///< footplants of the output clips (footplant_marks); none where not known
 };
 
 /// Resamples the clips to `frame_rate`, fits each style's representation (one heading for both) and encodes the clips.

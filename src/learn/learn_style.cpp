@@ -2,6 +2,7 @@
 // represent -> align -> warp the output onto the input and add the time-warp column -> normalize -> fit the model.
 #include "learn/coverage.h"
 #include "learn/examples.h"
+#include "learn/footplant_training.h"
 #include "learn/learn_linear.h"
 #include "learn/learn_radial.h"
 #include "learn/normalized_pairs.h"
@@ -113,7 +114,8 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
   if (!mismatch.empty()) throw SkeletonMismatch("input and output clips have different skeletons: " + mismatch);
 
   const double frame_rate = options.frame_rate > 0.0 ? options.frame_rate : inputs.front().frame_rate();
-  const Examples examples = learn::represent_examples(inputs, outputs, pairs, frame_rate);
+  Examples examples = learn::represent_examples(inputs, outputs, pairs, frame_rate);
+  examples.planted = learn::footplant_marks(outputs, options.footplants, examples, diagnostics);
   const std::vector<AlignedPair> aligned = learn::align_pairs(examples, options, diagnostics, progress);
   LearnReport report;
   report.num_pairs = static_cast<int>(aligned.size());
@@ -147,6 +149,7 @@ LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Mot
     calibrate_timing(aligned, timing_of(parts.blocks, normalized), parts, report);
   }
 
+  report.footplants = learn::learn_footplants(examples, aligned, parts);
   learn::report_coverage(examples, aligned, report, diagnostics);
   parts.provenance = provenance ? provenance(report) : "{}";
   return {std::make_shared<const StyleModel>(std::move(parts)), std::move(report)};

@@ -96,7 +96,12 @@ class PairAligner {
     FrameMatrix output(pair.input_frames.num_frames(), y.cols() + 1);
     output << align::warp_to_input(y, correspondence), correspondence.differential_warp.array().log().matrix();
     FrameMatrix input = with_lead_in(clip, pair.input_frames, lead_in_frames(options_, examples_.frame_rate));
-    return {pair.input_clip, pair.output_clip, pair.input_frames, std::move(input), std::move(output)};
+    AlignedPair aligned{pair.input_clip, pair.output_clip, pair.input_frames, std::move(input), std::move(output)};
+    if (!examples_.planted.empty()) {
+      const FrameMatrix& planted = examples_.planted[static_cast<std::size_t>(pair.output_clip)];
+      aligned.planted = align::warp_to_input(rows_of(planted, pair.output_frames), correspondence);
+    }
+    return aligned;
   }
 
   const Examples& examples_;

@@ -18,6 +18,7 @@ struct AlignedPair {
   FrameRange input_frames;  ///< of the input clip
   FrameMatrix input;        ///< lead-in, then the pair (frames x dofs)
   FrameMatrix output;  ///< the pair alone (frames x dofs + 1): the last column is the log of the differential time warp
+  FrameMatrix planted{};  ///< the output's footplants: 1 planted, 0 not (frames x 2 feet); no rows where not known
 };
 
 /// Frames of input before each pair that the model runs over first.

@@ -54,6 +54,20 @@ void ModelStep<Scalar>::step(const Eigen::Ref<const Eigen::RowVectorXd>& input, 
 }
 
 template <typename Scalar>
+void ModelStep<Scalar>::state(Eigen::Ref<Eigen::VectorXd> state) const {
+  if (radial_) {
+    for (int i = 0; i < radial_->num_features(); ++i) state[i] = static_cast<double>(radial_->features()[i]);
+    return;
+  }
+  Eigen::Index next = 0;
+  for (std::size_t block = 0; block < model_->blocks().size(); ++block) {
+    for (int i = 0; i < model_->blocks()[block].system.num_states(); ++i) {
+      state[next++] = static_cast<double>(packed_->blocks.state_of(state_.data(), static_cast<int>(block), i));
+    }
+  }
+}
+
+template <typename Scalar>
 void ModelStep<Scalar>::reset() {
   std::fill(state_.begin(), state_.end(), Scalar(0));
   if (radial_) radial_->reset();

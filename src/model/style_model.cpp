@@ -64,8 +64,16 @@ StyleModel::StyleModel(StyleModelParts parts) : parts_(std::move(parts)) {
     if (!parts_.blocks.empty()) throw InvalidArgument("blocks", "none beside a radial map", "some");
     check_radial_map(*parts_.radial_map, num_dofs(), contexts);
   }
+  if (parts_.footplants && parts_.footplants->num_states() != state_size()) {
+    throw InvalidArgument("footplants", std::to_string(state_size()) + " states",
+                          std::to_string(parts_.footplants->num_states()));
+  }
   packed_float_ = std::make_shared<const PackedModel<float>>(parts_);
   packed_double_ = std::make_shared<const PackedModel<double>>(parts_);
+}
+
+int StyleModel::state_size() const noexcept {
+  return parts_.radial_map ? parts_.radial_map->basis.num_features() : num_states();
 }
 
 int StyleModel::num_states() const noexcept {

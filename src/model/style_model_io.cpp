@@ -66,6 +66,17 @@ Offset<fb::RadialMap> write_radial_map(FlatBufferBuilder& out, const std::option
                              numbers(out, map->spread), numbers(out, map->share), map->fast);
 }
 
+Offset<flatbuffers::Vector<Offset<fb::FootplantBoundary>>> write_footplants(
+    FlatBufferBuilder& out, const std::optional<postprocess::FootplantClassifier>& classifier) {
+  if (!classifier) return 0;
+  std::vector<Offset<fb::FootplantBoundary>> feet;
+  for (int foot = 0; foot < 2; ++foot) {
+    const postprocess::FootplantBoundary& at = classifier->foot(foot);
+    feet.push_back(fb::CreateFootplantBoundary(out, numbers(out, at.projection), at.boundary, at.is_planted_above));
+  }
+  return out.CreateVector(feet);
+}
+
 [[noreturn]] void refuse(const std::string& name, const std::string& found) {
   throw ParseError(name, 0, 0, "an intact style model", found, "learn the model again, or copy the file again");
 }
@@ -152,6 +163,17 @@ std::optional<RadialMap> read_radial_map(const fb::StyleModel& root, const std::
                    vector_of(*map->share(), name)};
 }
 
+std::optional<postprocess::FootplantClassifier> read_footplants(const fb::StyleModel& root, const std::string& name) {
+  if (root.footplants() == nullptr) return std::nullopt;
+  if (root.footplants()->size() != 2)
+    refuse(name, "footplants of " + std::to_string(root.footplants()->size()) + " feet");
+  const auto read = [&](flatbuffers::uoffset_t foot) {
+    const fb::FootplantBoundary& at = *root.footplants()->Get(foot);
+    return postprocess::FootplantBoundary{vector_of(*at.projection(), name), at.boundary(), at.planted_above()};
+  };
+  return postprocess::FootplantClassifier({read(0), read(1)});
+}
+
 std::shared_ptr<const StyleModel> read_model(const fb::StyleModel& root, const std::string& name) {
   const auto skeleton = read_skeleton(root);
   StyleModelParts parts{root.frame_rate(),
@@ -162,7 +184,8 @@ std::shared_ptr<const StyleModel> read_model(const fb::StyleModel& root, const s
                         read_context(root, name),
                         {},
                         read_radial_map(root, name),
-                        root.provenance()->str()};
+                        root.provenance()->str(),
+                        read_footplants(root, name)};
   for (const fb::Block* block : *root.blocks()) parts.blocks.push_back(read_block(*block, name));
   return std::make_shared<const StyleModel>(std::move(parts));
 }
@@ -212,7 +235,7 @@ std::string format_style_model(const StyleModel& model) {
       out, fb::CreateStyleModel(out, kFormatVersion, model.frame_rate(), out.CreateVector(joints),
                                 model.input().travel_joint(), &upright, input, output, out.CreateVector(blocks),
                                 out.CreateString(model.provenance()), numbers(out, model.context()),
-                                write_radial_map(out, model.radial_map())));
+                                write_radial_map(out, model.radial_map()), write_footplants(out, model.footplants())));
   return {reinterpret_cast<const char*>(out.GetBufferPointer()), out.GetSize()};
 }
 

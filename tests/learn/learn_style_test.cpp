@@ -2,6 +2,7 @@
 // The whole upper row of the paper's Figure 3 on generated walks, whose true answers are known.
 #include "learn/example_walks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -14,7 +15,9 @@
 #include <strut/generate/walker.h>
 #include <strut/learn/learn_style.h>
 #include <strut/metrics/clip_distance.h>
+#include <strut/model/model_step.h>
 #include <strut/model/style_model_io.h>
+#include <strut/representation/representation.h>
 #include <strut/translate/translate_motion.h>
 
 namespace strut {
@@ -106,6 +109,57 @@ TEST(LearnStyle, ReportsWhatItLearnt) {
   for (const Motion& clip : varied_clips().outputs) output_duration += clip.duration();
   // Pairs are single cycles, not the same mix of them as the clips.
   EXPECT_NEAR(learnt.report.duration_ratio, output_duration / input_duration, 0.05);
+}
+
+// Of a cycle of 33 frames, a frame at each of two boundaries is 6 %.
+constexpr double kFootplantAgreement = 0.94;
+
+TEST(LearnStyle, TellsFootplantsOfNewWalksInTheNewStyle) {
+  for (const LearnMethod method : {LearnMethod::kRadial, LearnMethod::kLinear}) {
+    const LearntStyle learnt = learn_from(varied_clips(), {.method = method});
+    ASSERT_TRUE(learnt.report.footplants);
+    EXPECT_GT(learnt.report.footplants->agreement, kFootplantAgreement);
+    EXPECT_GT(learnt.report.footplants->left_out_agreement, kFootplantAgreement);
+    ASSERT_TRUE(learnt.model->footplants());
+    const WalkContent new_content = content(1.25, 0.15, 8.0);
+    const generate::Walk input = generate_walk(new_content, {.seed = 101}, kRate);
+    const generate::Walk truth = generate_walk(new_content, limping(102), kRate);
+    const auto output_frames = generate::true_correspondence(input, truth);
+    const FrameMatrix rows = representation::encode(learnt.model->input(), input.motion);
+    ModelStep<double> step(learnt.model);
+    Eigen::RowVectorXd output(learnt.model->num_dofs() + 1);
+    Eigen::VectorXd state(learnt.model->state_size());
+    double right = 0.0, all = 0.0;
+    for (Eigen::Index t = 0; t < rows.rows(); ++t) {
+      step.step(rows.row(t), output);
+      step.state(state);
+      if (static_cast<double>(t) < kRate) continue;  // the states settle
+      for (int foot = 0; foot < 2; ++foot) {
+        const auto frame = static_cast<int>(std::lround(output_frames[static_cast<std::size_t>(t)]));
+        const bool is_planted =
+            std::any_of(truth.footplants.begin(), truth.footplants.end(), [&](const motion::Footplant& plant) {
+              return plant.foot == foot && plant.begin <= frame && frame < plant.end;
+            });
+        right += learnt.model->footplants()->is_planted(foot, state) == is_planted ? 1.0 : 0.0;
+        all += 1.0;
+      }
+    }
+    EXPECT_GT(right / all, kFootplantAgreement);
+  }
+}
+
+TEST(LearnStyle, TakesTheFootplantsItIsGiven) {
+  const Clips clips = varied_clips();
+  LearnOptions options;
+  for (const Motion& clip : clips.outputs) options.footplants.push_back({{0, 0, clip.num_frames()}});
+  const LearntStyle learnt = learn_from(clips, options);
+  const Eigen::VectorXd state = Eigen::VectorXd::Ones(learnt.model->state_size());
+  EXPECT_TRUE(learnt.model->footplants()->is_planted(0, state));
+  EXPECT_FALSE(learnt.model->footplants()->is_planted(1, state));
+  options.footplants.back().push_back({2, 0, 1});
+  EXPECT_THROW(learn_from(clips, options), InvalidArgument);
+  options.footplants.pop_back();
+  EXPECT_THROW(learn_from(clips, options), InvalidArgument);
 }
 
 TEST(LearnStyle, WarnsOfWhatTheExamplesDoNotCover) {

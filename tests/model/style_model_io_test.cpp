@@ -3,6 +3,8 @@
 #include "support/small_model.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <random>
 #include <sstream>
 #include <string>
@@ -28,6 +30,13 @@ const Motion& small_clip() {
   return clip;
 }
 
+/// Boundaries whose numbers are of no meaning but all different.
+postprocess::FootplantClassifier some_footplants(Eigen::Index states) {
+  const Eigen::VectorXd projection = Eigen::VectorXd::LinSpaced(states, 0.1, 0.9);
+  return postprocess::FootplantClassifier({postprocess::FootplantBoundary{projection, 0.25, true},
+                                           postprocess::FootplantBoundary{-projection, -0.5, false}});
+}
+
 std::vector<StyleModelParts> small_models() {
   StyleModelParts seeing = test::radial_parts(small_clip());
   seeing.radial_map.reset();
@@ -37,7 +46,9 @@ std::vector<StyleModelParts> small_models() {
                            {first_context - 1, first_context + 1},
                            {first_context - 1},
                            {half, Eigen::RowVector2d(0.3, 0.7), half, Eigen::RowVector2d(1.0, -0.2)}});
-  return {test::copying_parts(small_clip(), 0.1), seeing, test::radial_parts(small_clip())};
+  StyleModelParts planting = test::radial_parts(small_clip());
+  planting.footplants = some_footplants(planting.radial_map->basis.num_features());
+  return {test::copying_parts(small_clip(), 0.1), seeing, test::radial_parts(small_clip()), planting};
 }
 
 std::vector<std::string> small_files() {
@@ -67,6 +78,12 @@ TEST(StyleModelFile, GivesBackTheModelToTheBit) {
     EXPECT_EQ(back->blocks().size(), model->blocks().size());
     EXPECT_EQ(back->context(), model->context());
     EXPECT_EQ(back->radial_map().has_value(), model->radial_map().has_value());
+    ASSERT_EQ(back->footplants().has_value(), model->footplants().has_value());
+    for (int foot = 0; model->footplants() && foot < 2; ++foot) {
+      EXPECT_EQ(back->footplants()->foot(foot).projection, model->footplants()->foot(foot).projection);
+      EXPECT_EQ(back->footplants()->foot(foot).boundary, model->footplants()->foot(foot).boundary);
+      EXPECT_EQ(back->footplants()->foot(foot).is_planted_above, model->footplants()->foot(foot).is_planted_above);
+    }
     EXPECT_EQ(describe_mismatch(back->skeleton(), model->skeleton()), "");
     const Motion a = translate_motion(model, small_clip());
     const Motion b = translate_motion(back, small_clip());
@@ -80,6 +97,7 @@ TEST(StyleModelFile, OfFormatVersion1TranslatesAsItDid) {
   const auto model = read_style_model(test::test_file("data/version_1.strut"));
   EXPECT_FALSE(model->radial_map());
   EXPECT_EQ(model->context().rows(), 0);
+  EXPECT_FALSE(model->footplants());
   EXPECT_GT(model->num_states(), 0);
   const std::vector<Eigen::RowVectorXd> expected = read_rows(test::test_file("data/version_1.csv"));
   ASSERT_EQ(expected.size(), 2U);
@@ -156,6 +174,34 @@ TEST(StyleModelFile, RefusesAnotherFormatVersion) {
       version_refusal(0),
       "a.strut: error: the file has format version 0, this strut reads version 2; learn the model again with this "
       "strut");
+}
+
+/// The model with footplants, the first number of its left projection or the count of them made another.
+std::string footplant_refusal(std::uint32_t count, double first) {
+  const std::string bytes = small_files().back();
+  std::string left(4 + sizeof(double), '\0');
+  const std::uint32_t states = 4;
+  const double number = 0.1;
+  std::memcpy(left.data(), &states, 4);
+  std::memcpy(left.data() + 4, &number, sizeof number);
+  const std::size_t place = bytes.find(left);
+  if (place == std::string::npos) return "there is no such projection";
+  std::string changed = bytes;
+  std::memcpy(changed.data() + place, &count, 4);
+  std::memcpy(changed.data() + place + 4, &first, sizeof first);
+  try {
+    parse_style_model(changed, "a.strut");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(StyleModelFile, RefusesFootplantsThatDoNotFit) {
+  const std::string beginning = "a.strut: error: expected an intact style model, found parts that do not fit: ";
+  EXPECT_EQ(footplant_refusal(4, 0.3), "accepted");
+  EXPECT_EQ(footplant_refusal(3, 0.1), beginning + "projection: expected as many states for both feet, got 3 and 4");
+  EXPECT_EQ(footplant_refusal(4, NAN), beginning + "footplants: expected finite numbers, got NaN or infinity");
 }
 
 TEST(StyleModelFile, OfAMissingPathIsAFileError) {

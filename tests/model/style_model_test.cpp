@@ -63,6 +63,27 @@ TEST(StyleModel, RefusesContextsAndMapsThatDoNotFit) {
             "basis: expected 0 features, got 4");
 }
 
+postprocess::FootplantClassifier footplants_of(Eigen::Index states) {
+  const postprocess::FootplantBoundary foot{Eigen::VectorXd::Ones(states), 0.5, true};
+  return postprocess::FootplantClassifier({foot, foot});
+}
+
+TEST(StyleModel, RefusesFootplantsOfAnotherState) {
+  EXPECT_EQ(refusal([](StyleModelParts& parts) { parts.footplants = footplants_of(1); }),
+            "footplants: expected 0 states, got 1");
+  EXPECT_EQ(refusal([](StyleModelParts& parts) {
+              parts = test::radial_parts(test::turning_motion(30.0, 1.0));
+              parts.footplants = footplants_of(4);
+            }),
+            "accepted");
+  EXPECT_EQ(refusal([](StyleModelParts& parts) {
+              const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 1);
+              parts.blocks[3].system = sysid::LtiSystem(0.5 * one, one, one, one);
+              parts.footplants = footplants_of(1);
+            }),
+            "accepted");
+}
+
 TEST(StyleModel, RefusesUnstableSystems) {
   EXPECT_THAT(refusal([](StyleModelParts& parts) {
                 const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 1);

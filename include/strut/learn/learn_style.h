@@ -13,6 +13,7 @@
 #include <strut/learn/clip_pair.h>
 #include <strut/learn/learn_report.h>
 #include <strut/model/style_model.h>
+#include <strut/motion/annotation.h>
 #include <strut/motion/motion.h>
 #include <strut/sysid/identify.h>
 
@@ -48,6 +49,9 @@ struct LearnOptions {
   /// Of every block; its max_radius follows from longest_memory.
   sysid::IdentifyOptions identification{.max_order = 8, .ridge = 0.003};
   double frame_rate = 0.0;  ///< [frames/s] clips are resampled to; 0: the first input clip's
+  /// Of every output clip, at its own frames, foot 0 left and 1 right: what the footplant classifier is trained on.
+  /// Empty: as postprocess::detect_footplants finds them.
+  std::vector<std::vector<motion::Footplant>> footplants{};
 };
 
 struct LearntStyle {
@@ -64,9 +68,9 @@ using DescribeProvenance = std::function<std::string(const LearnReport&)>;
 /// Learns the translation from the clips `inputs` to the clips `outputs` by the pairs between them.
 /// All clips have one hierarchy.
 /// Throws InvalidArgument if there is no pair, a pair names a clip or frames that do not exist, no pair can be aligned,
-/// or nothing moves in them; SkeletonMismatch if hierarchies differ. Reports pairs that are left out (shorter than
-/// learn::kShortestStretch, not to be aligned, along their slope limit) and what the examples do not cover.
-/// The result does not depend on the number of threads.
+/// or nothing moves in them, or if footplants are not of these clips; SkeletonMismatch if hierarchies differ. Reports
+/// pairs that are left out (shorter than learn::kShortestStretch, not to be aligned, along their slope limit) and what
+/// the examples do not cover. The result does not depend on the number of threads.
 LearntStyle learn_style(const std::vector<Motion>& inputs, const std::vector<Motion>& outputs,
                         const std::vector<learn::ClipPair>& pairs, const LearnOptions& options = {},
                         const DescribeProvenance& provenance = {}, Diagnostics* diagnostics = nullptr,

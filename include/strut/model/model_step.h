@@ -27,6 +27,10 @@ class ModelStep {
   /// The same for rows: `input` (num_dofs), `output` (num_dofs + 1). For whole clips; it copies.
   void step(const Eigen::Ref<const Eigen::RowVectorXd>& input, Eigen::Ref<Eigen::RowVectorXd> output);
 
+  /// The model's state after the latest step, of which StyleModel::footplants() tells footplants: `state`
+  /// (StyleModel::state_size) is overwritten. Zero before the first. No allocation.
+  void state(Eigen::Ref<Eigen::VectorXd> state) const;
+
   /// Back to rest.
   void reset();
 

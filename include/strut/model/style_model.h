@@ -10,6 +10,7 @@
 
 #include <strut/model/packed_model.h>
 #include <strut/model/radial_map.h>
+#include <strut/postprocess/footplant_classifier.h>
 #include <strut/representation/normalization.h>
 #include <strut/representation/representation.h>
 #include <strut/sysid/lti_system.h>
@@ -38,13 +39,16 @@ struct StyleModelParts {
   std::vector<StyleBlock> blocks;                ///< no output degree of freedom in two of them
   std::optional<RadialMap> radial_map;           ///< in place of blocks
   std::string provenance;                        ///< JSON: files, hashes, options, figures on left-out clips
+  std::optional<postprocess::FootplantClassifier> footplants{};  ///< of the output style, from the model's state; none
+                                                                 ///< where a body has no legs, or in older models
 };
 
 /// A style model whose parts fit together.
 class StyleModel {
  public:
   /// Throws InvalidArgument if sizes do not agree, a block names a degree of freedom that does not exist or that
-  /// another block gives, a system is not stable (spectral radius 1 or more), or there are blocks beside a radial map.
+  /// another block gives, a system is not stable (spectral radius 1 or more), there are blocks beside a radial map, or
+  /// footplants are told from a state of another size than the model's.
   explicit StyleModel(StyleModelParts parts);
 
   [[nodiscard]] const Skeleton& skeleton() const noexcept { return parts_.input.skeleton(); }
@@ -58,12 +62,19 @@ class StyleModel {
   [[nodiscard]] const std::vector<StyleBlock>& blocks() const noexcept { return parts_.blocks; }
   [[nodiscard]] const std::string& provenance() const noexcept { return parts_.provenance; }
 
+  [[nodiscard]] const std::optional<postprocess::FootplantClassifier>& footplants() const noexcept {
+    return parts_.footplants;
+  }
+
   /// Degrees of freedom of a pose.
   [[nodiscard]] int num_dofs() const noexcept { return parts_.input.num_dofs(); }
   /// The output column that holds the logarithm of the differential time warp.
   [[nodiscard]] int time_warp_dof() const noexcept { return num_dofs(); }
   /// States of all blocks together.
   [[nodiscard]] int num_states() const noexcept;
+  /// Numbers in the model's state, from which footplants are told (ModelStep::state): the states of all blocks,
+  /// one block after the other; of a radial map what its basis sees, the contexts at every lag, the newest first.
+  [[nodiscard]] int state_size() const noexcept;
 
   /// The numbers that ModelStep steps, in float or double.
   template <typename Scalar>
