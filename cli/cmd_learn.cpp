@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // strut learn: learns a style from a pair list.
 #include "commands.h"
+#include "footplant_table.h"
 #include "input_files.h"
 #include "learn_report.h"
 #include "paired_clips.h"
@@ -26,6 +27,7 @@ using json = nlohmann::ordered_json;
 
 struct LearnArguments {
   std::string pairs, output;
+  std::string footplants;  // of the output clips, a table; empty: detected
   LearnOptions options;
   bool force = false;
 };
@@ -73,11 +75,17 @@ void run(const LearnArguments& arguments) {
   const PairedClips clips = read_paired_clips(arguments.pairs, &diagnostics);
   check_output(arguments.output, clips.input_paths, overwrite_if(arguments.force));
   check_output(arguments.output, clips.output_paths, overwrite_if(arguments.force));
+  LearnOptions options = arguments.options;
+  if (!arguments.footplants.empty()) {
+    check_output(arguments.output, {arguments.footplants}, overwrite_if(arguments.force));
+    options.footplants = read_footplants(arguments.footplants, clips, diagnostics);
+  }
   const json sources = {{"strut", version()},
                         {"pair_list", arguments.pairs},
                         {"inputs", describe_files(clips.input_paths)},
                         {"outputs", describe_files(clips.output_paths)},
-                        {"options", describe_options(arguments.options)}};
+                        {"footplants", arguments.footplants.empty() ? json("detected") : json(arguments.footplants)},
+                        {"options", describe_options(options)}};
   LearntStyle learnt;
   {
     ProgressLine line("learning");
@@ -89,8 +97,7 @@ void run(const LearnArguments& arguments) {
     };
     const auto progress = [&](const std::string& step, int done, int total) { line.update(step, done, total); };
     learnt = naming_the_file(arguments.pairs, [&] {
-      return learn_style(clips.inputs, clips.outputs, clips.pairs, arguments.options, provenance, &diagnostics,
-                         progress);
+      return learn_style(clips.inputs, clips.outputs, clips.pairs, options, provenance, &diagnostics, progress);
     });
   }
   write_style_model(arguments.output, *learnt.model, overwrite_if(arguments.force));
@@ -158,6 +165,10 @@ void add_learn(CLI::App& app) {
   command->add_option("--frame-rate", options.frame_rate, "Frames per second of the model; 0: the first input clip's")
       ->check(number_in(0, 1000))
       ->capture_default_str();
+  command
+      ->add_option("--footplants", arguments->footplants,
+                   "Footplants of the output clips, as strut footplants --csv lists them (default: detected)")
+      ->type_name("TABLE");
   command->add_flag("--force", arguments->force, "Overwrite an existing file");
   command->callback([arguments] {
     arguments->options.alignment.space.offset_smoothness = arguments->options.alignment.space.scale_smoothness;

@@ -16,6 +16,7 @@ void add_align(CLI::App& app);
 void add_info(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_measure(CLI::App& app);
+void add_footplants(CLI::App& app);
 void add_sysid(CLI::App& app);
 void add_demo(CLI::App& app);
 void add_completion(CLI::App& app);

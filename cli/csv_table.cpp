@@ -108,27 +108,46 @@ double number_of(const Field& field, const Reader& reader) {
 
 }  // namespace
 
-CsvColumns read_csv_columns(const std::string& path, const std::vector<std::string>& names, const std::string& label) {
+std::vector<CsvRow> read_csv_rows(const std::string& path, const std::vector<std::string>& texts,
+                                  const std::vector<std::string>& numbers) {
   const std::string text = read_file(path);
   Reader reader(path, text);
   if (reader.only_blank_left()) reader.fail(0, "a line of column names", "nothing");
   const std::vector<Field> header = reader.next();
-  std::vector<std::size_t> places;
-  for (const std::string& name : names) places.push_back(place_of(name, header, reader));
-  const std::size_t label_place = label.empty() ? 0 : place_of(label, header, reader);
-  CsvColumns table;
-  std::vector<double> numbers;
-  Eigen::Index rows = 0;
-  for (; !reader.only_blank_left(); ++rows) {
+  std::vector<std::size_t> text_places, number_places;
+  for (const std::string& name : numbers) number_places.push_back(place_of(name, header, reader));
+  for (const std::string& name : texts) text_places.push_back(place_of(name, header, reader));
+  std::vector<CsvRow> rows;
+  while (!reader.only_blank_left()) {
     const std::vector<Field> fields = reader.next();
     if (fields.size() != header.size()) {
       reader.fail(0, fmt::format("{} fields", header.size()), fmt::format("{}", fields.size()));
     }
-    for (const std::size_t place : places) numbers.push_back(number_of(fields[place], reader));
-    if (!label.empty()) table.labels.emplace_back(fields[label_place].text);
+    CsvRow row{rows.size() + 2, {}, {}, {}, {}};
+    for (const std::size_t place : text_places) {
+      row.texts.emplace_back(fields[place].text);
+      row.text_columns.push_back(fields[place].column);
+    }
+    for (const std::size_t place : number_places) {
+      row.numbers.push_back(number_of(fields[place], reader));
+      row.number_columns.push_back(fields[place].column);
+    }
+    rows.push_back(std::move(row));
   }
-  if (rows == 0) reader.fail(0, "a line of numbers", "the end of the file");
-  table.values = Eigen::Map<const FrameMatrix>(numbers.data(), rows, static_cast<Eigen::Index>(names.size()));
+  if (rows.empty()) reader.fail(0, "a line of numbers", "the end of the file");
+  return rows;
+}
+
+CsvColumns read_csv_columns(const std::string& path, const std::vector<std::string>& names, const std::string& label) {
+  const std::vector<CsvRow> rows =
+      read_csv_rows(path, label.empty() ? std::vector<std::string>{} : std::vector{label}, names);
+  CsvColumns table{FrameMatrix(std::ssize(rows), std::ssize(names)), {}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      table.values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = rows[i].numbers[k];
+    }
+    table.labels.insert(table.labels.end(), rows[i].texts.begin(), rows[i].texts.end());
+  }
   return table;
 }
 

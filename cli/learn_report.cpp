@@ -26,6 +26,21 @@ Range range_from_json(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>()};
 }
 
+Json footplants_as_json(const LearnReport& report) {
+  if (!report.footplants) return nullptr;
+  Json json = {{"left_out_agreement", nullptr}, {"agreement", report.footplants->agreement}};
+  if (report.num_left_out > 0) json["left_out_agreement"] = report.footplants->left_out_agreement;
+  return json;
+}
+
+/// Nothing also in models learnt before footplants were.
+std::optional<FootplantReport> footplants_from_json(const Json& report) {
+  const Json json = report.value("footplants", Json());
+  if (json.is_null()) return std::nullopt;
+  const Json& left_out = json.at("left_out_agreement");
+  return FootplantReport{left_out.is_null() ? 0.0 : left_out.get<double>(), json.at("agreement").get<double>()};
+}
+
 Json block_as_json(const BlockReport& block, bool was_left_out) {
   Json json = {{"name", block.name}, {"states", block.states}, {"left_out_fit", nullptr}, {"fit", block.fit}};
   if (was_left_out) json["left_out_fit"] = block.left_out_fit;
@@ -78,6 +93,19 @@ void print_fits(const LearnReport& report) {
   }
 }
 
+void print_footplants(const LearnReport& report) {
+  if (!report.footplants) {
+    fmt::print("footplants are not told\n");
+    return;
+  }
+  const FootplantReport& found = *report.footplants;
+  fmt::print("footplants are told as labelled in {}{:.1f} % of the frames learnt from\n",
+             report.num_left_out > 0
+                 ? fmt::format("{:.1f} % of the frames of pairs left out, ", 100.0 * found.left_out_agreement)
+                 : "",
+             100.0 * found.agreement);
+}
+
 /// `Spine (12 %), Head (15 %)`; of many parts the first few, and where it is every part of the body, that.
 std::string listed(const std::vector<BlockReport>& blocks, std::size_t all, const auto& figure) {
   constexpr std::size_t kMost = 6;
@@ -124,6 +152,7 @@ Json report_as_json(const LearnReport& report) {
           {"output_duration", range_as_json(report.output_duration)},
           {"duration_ratio", report.duration_ratio},
           {"centres", report.num_centres},
+          {"footplants", footplants_as_json(report)},
           {"blocks", blocks}};
 }
 
@@ -143,6 +172,7 @@ std::optional<LearnReport> report_from_json(const Json& json) {
     if (json.contains("input_duration")) report.input_duration = range_from_json(json.at("input_duration"));
     if (json.contains("output_duration")) report.output_duration = range_from_json(json.at("output_duration"));
     report.num_centres = json.value("centres", 0);
+    report.footplants = footplants_from_json(json);
     for (const Json& block : json.at("blocks")) report.blocks.push_back(block_from_json(block));
     return report;
   } catch (const Json::exception&) {
@@ -165,6 +195,7 @@ void print_report(const LearnReport& report, const StyleModel& model) {
   print_coverage(report);
   fmt::print("{}; fit of predicted to real output:\n", model_in_words(model));
   print_fits(report);
+  print_footplants(report);
   print_what_is_missing(report);
 }
 

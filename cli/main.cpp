@@ -97,6 +97,7 @@ int main(int argc, char** argv) {
   add_info(app);
   add_convert(app);
   add_measure(app);
+  add_footplants(app);
   add_sysid(app);
   add_demo(app);
   add_completion(app);

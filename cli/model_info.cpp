@@ -59,6 +59,7 @@ Json model_as_json(const std::string& path, const StyleModel& model) {
           {"num_contexts", model.context().rows()},
           {"radial_map", radial_map_as_json(model)},
           {"num_states", model.num_states()},
+          {"tells_footplants", model.footplants().has_value()},
           {"blocks", blocks_as_json(model)},
           {"provenance", provenance_of(model)}};
 }

@@ -180,7 +180,41 @@ Eigen::Quaterniond upright_without_legs(const std::vector<Motion>& motions) {
   return Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitY());
 }
 
+/// From just below the pelvis down to `joint`; empty if that is not below it.
+Chain chain_to(const Skeleton& skeleton, int joint) {
+  Chain chain;
+  int k = joint;
+  for (; k >= 0 && k != skeleton.pelvis(); k = skeleton.joint(k).parent) chain.push_back(k);
+  if (k < 0) chain.clear();
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+Leg leg_with_foot(const Shape& shape, const std::string& name) {
+  const int joint = shape.skeleton->find(name);
+  if (joint < 0) throw InvalidArgument("feet", "names of the skeleton's joints", "'" + name + "', which it lacks");
+  std::optional<Leg> leg = leg_of(shape, chain_to(*shape.skeleton, joint));
+  if (leg && shape.height[at(leg->ankle)] >= shape.height[at(leg->hip)]) leg.reset();  // a head, say
+  const bool is_toe = leg && shape.skeleton->joint(joint).parent == leg->ankle;
+  if (!leg || (joint != leg->ankle && !is_toe)) {
+    throw InvalidArgument("feet", "ankles or toes with a leg (hip, knee and ankle) above them", "'" + name + "'");
+  }
+  if (is_toe) {
+    leg->toe = joint;
+    leg->tip.setZero();
+  }
+  return *leg;
+}
+
 }  // namespace
+
+Legs legs_with_feet(const Motion& motion, const std::string& left, const std::string& right) {
+  if (motion.num_frames() == 0) throw InvalidArgument("motion", "at least one frame", "none");
+  const Shape shape = measure(motion);
+  const Legs legs{leg_with_foot(shape, left), leg_with_foot(shape, right)};
+  if (legs.left.ankle == legs.right.ankle) throw InvalidArgument("feet", "two feet", "'" + left + "' twice");
+  return legs;
+}
 
 std::optional<Legs> find_legs(const Motion& motion) {
   if (motion.num_frames() == 0) return std::nullopt;

@@ -143,6 +143,38 @@ TEST_F(LearnCommand, TakesClipsOfDifferentFrameRates) {
   EXPECT_EQ(read_style_model(here_.file("limp.strut"))->frame_rate(), 30.0);
 }
 
+TEST_F(LearnCommand, TakesFootplantsFromATable) {
+  write_file(here_.file("feet.csv"), "foot,clip,end,begin,who\nleft,limp.bvh,90,0,me\n\"left\",other.bvh,3,1,me\n");
+  const ProgramResult result = learn(of("normal.bvh", "limp.bvh"), {"--footplants", "@feet.csv"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("'other.bvh' is no output clip of the pair list"));
+  const auto model = read_style_model(here_.file("limp.strut"));
+  const Eigen::VectorXd state = Eigen::VectorXd::Ones(model->state_size());
+  ASSERT_TRUE(model->footplants());
+  EXPECT_TRUE(model->footplants()->is_planted(0, state));
+  EXPECT_FALSE(model->footplants()->is_planted(1, state));
+}
+
+TEST_F(LearnCommand, RefusesFootplantsWithFileLineAndColumn) {
+  const std::string head = "clip,foot,begin,end\n";
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"limp.bvh,both,0,5\n", "feet.csv:2:10: error: expected left or right, found 'both'"},
+      {"limp.bvh,left,0,5\nlimp.bvh,left,-1,5\n", "feet.csv:3:15: error: expected a frame from 0 to"},
+      {"limp.bvh,left,5,5\n", "feet.csv:2:17: error: expected a frame from 6 to"},
+      {"limp.bvh,left,1,500000\n", "feet.csv:2:17: error: expected a frame from 2 to"},
+      {"limp.bvh,left,1.5,5\n", "feet.csv:2:15: error: expected a frame from 0 to"},
+      {"limp.bvh,left,a,5\n", "feet.csv:2:15: error: expected a finite number, found 'a'"},
+      {"limp.bvh,left,1\n", "feet.csv:2: error: expected 4 fields, found 3"},
+      {"other.bvh,left,1,5\n", "feet.csv: error: expected footplants of the pair list's output clips, found none"}};
+  for (const auto& [lines, message] : faults) {
+    write_file(here_.file("feet.csv"), head + lines, Overwrite::kAllow);
+    const ProgramResult result = learn(of("normal.bvh", "limp.bvh"), {"--footplants", "@feet.csv"});
+    EXPECT_EQ(result.exit_code, 3) << message;
+    EXPECT_THAT(result.err, HasSubstr(message));
+  }
+  EXPECT_TRUE(made_nothing());
+}
+
 TEST_F(LearnCommand, DoesNotOverwriteItsOwnClipsEvenIfForced) {
   write_file(here_.file("pairs.toml"), of("normal.bvh", "limp.bvh"));
   for (const char* own : {"@pairs.toml", "@normal.bvh", "@limp.bvh"}) {

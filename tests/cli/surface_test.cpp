@@ -67,7 +67,7 @@ std::set<std::string> completions(const std::string& words) {
 
 TEST(Program, ListsItsCommands) {
   EXPECT_THAT(commands(), testing::IsSupersetOf({"pair", "learn", "translate", "clean", "align", "info", "convert",
-                                                 "measure", "sysid", "demo", "completion"}));
+                                                 "measure", "footplants", "sysid", "demo", "completion"}));
 }
 
 TEST(Program, DescribesEveryCommandAndOption) {

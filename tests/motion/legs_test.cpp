@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -229,6 +231,45 @@ TEST(UprightReference, WithoutLegsLevelsThePelvis) {
   const Eigen::Quaterniond upright = upright_reference(Motion(chain, 30.0, {pose}));
   const Eigen::Vector3d up = (pose.rotations[0] * upright.conjugate()) * Eigen::Vector3d::UnitY();
   EXPECT_LT((up - Eigen::Vector3d::UnitY()).norm(), kExact);
+}
+
+std::string named(int joint) {
+  return "joint " + std::to_string(joint);
+}
+
+/// A standing body whose joints are called by their numbers.
+Motion numbered_body() {
+  const Body body = body_with_frames(standing_joints(), 0);
+  std::vector<Joint> joints = body.skeleton->joints();
+  for (std::size_t j = 0; j < joints.size(); ++j) joints[j].name = named(static_cast<int>(j));
+  return {std::make_shared<const Skeleton>(joints), 30.0, {body.standing}};
+}
+
+TEST(LegsWithFeet, AreTheNamedOnesWhicheverSideTheyAreOn) {
+  const Motion clip = numbered_body();
+  const Legs found = *find_legs(clip);
+  const Legs swapped = legs_with_feet(clip, named(found.right.toe), named(found.left.ankle));
+  EXPECT_EQ(swapped.left.hip, found.right.hip);
+  EXPECT_EQ(swapped.left.knee, found.right.knee);
+  EXPECT_EQ(swapped.left.ankle, found.right.ankle);
+  EXPECT_EQ(swapped.left.toe, found.right.toe);
+  EXPECT_EQ(swapped.right.ankle, found.left.ankle);
+  EXPECT_EQ(swapped.right.toe, found.left.toe);
+}
+
+TEST(LegsWithFeet, RefusesJointsThatAreNoFeet) {
+  const Motion clip = numbered_body();
+  const std::string foot = named(kAnkleA);
+  for (const std::string& other : {std::string("nose"), named(kRoot), named(kPelvis), named(kSpine), named(kHipB),
+                                   named(kKneeB), foot, named(kToeA)}) {
+    try {
+      legs_with_feet(clip, foot, other);
+      ADD_FAILURE() << other;
+    } catch (const InvalidArgument& error) {
+      EXPECT_NE(std::string(error.what()).find("'"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_THROW(legs_with_feet(Motion(clip.shared_skeleton(), 30.0), foot, named(kKneeB)), InvalidArgument);
 }
 
 TEST(UprightReference, RefusesMotionsWithoutFrames) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -39,6 +40,13 @@ struct Legs {
 /// not. Nothing is returned for a motion without frames and for a body without two mirrored legs of at least two bones
 /// each, ending below the pelvis. Cost O(frames x joints + leaves^2).
 std::optional<Legs> find_legs(const Motion& motion);
+
+/// The legs that end in the joints named `left` and `right`, for a body of which find_legs finds others or none: each
+/// name is of an ankle, or of a toe (a child of the ankle). Of the joints from the pelvis down to it, thigh and shin
+/// are the two consecutive bones that are longest together. Throws InvalidArgument, naming the joint, if the motion has
+/// no frame, there is no such joint, both are one, or it has no leg (hip, knee and ankle) above it. Cost O(frames x
+/// joints).
+Legs legs_with_feet(const Motion& motion, const std::string& left, const std::string& right);
 
 /// The toe's position in the world [m]; the ankle's where the leg has no toe.
 Eigen::Vector3d toe_position(const Leg& leg, const WorldPose& world);
