@@ -11,11 +11,11 @@
 
 #include <strut/io/bvh.h>
 #include <strut/learn/learn_style.h>
+#include <strut/model/model_step.h>
 #include <strut/motion/legs.h>
 #include <strut/postprocess/footplant_detector.h>
 #include <strut/representation/extrapolation.h>
 #include <strut/representation/representation.h>
-#include <strut/translate/signal_translator.h>
 #include <strut/translate/translate_motion.h>
 
 namespace {
@@ -69,17 +69,17 @@ class Foot {
 
 Tally told_by_classifier(const std::shared_ptr<const StyleModel>& model, const Motion& input) {
   const FrameMatrix rows = representation::encode(model->input(), input);
-  translate::SignalTranslator translator(model);
+  ModelStep<double> step(model);
   Eigen::RowVectorXd output(model->num_dofs() + 1);
   Eigen::VectorXd state(model->state_size());
   const auto warm_up = static_cast<int>(std::lround(kWarmUp * model->frame_rate()));
   const FrameMatrix before = representation::extrapolate_back(rows, warm_up);
-  for (Eigen::Index t = 0; t < before.rows(); ++t) translator.step(before.row(t), output);
+  for (Eigen::Index t = 0; t < before.rows(); ++t) step.step(before.row(t), output);
   Tally tally;
   std::array<Foot, 2> feet;
   for (Eigen::Index t = 0; t < rows.rows(); ++t) {
-    translator.step(rows.row(t), output);
-    translator.state(state);
+    step.step(rows.row(t), output);
+    step.state(state);
     const double seconds = std::exp(output[model->time_warp_dof()]) / model->frame_rate();
     for (int foot = 0; foot < 2; ++foot) {
       feet[static_cast<std::size_t>(foot)].add(model->footplants()->is_planted(foot, state), seconds, tally);
