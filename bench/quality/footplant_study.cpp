@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How well models tell footplants, on takes 001 to 012 of the real clips in three folds; run by hand, its table is in
-// docs/footplants.md:   build/release/bench/quality/footplant_study FOLDER
+// docs/footplants.md:   build/release/bench/footplant_study FOLDER
 // Of the takes left out it compares what the classifier says of translated clips, frame by frame, with what the
 // detector sees in the style's real takes.
 #include <array>

@@ -211,7 +211,7 @@ Leg leg_with_foot(const Shape& shape, const std::string& name) {
 Legs legs_with_feet(const Motion& motion, const std::string& left, const std::string& right) {
   if (motion.num_frames() == 0) throw InvalidArgument("motion", "at least one frame", "none");
   const Shape shape = measure(motion);
-  const Legs legs{leg_with_foot(shape, left), leg_with_foot(shape, right)};
+  Legs legs{leg_with_foot(shape, left), leg_with_foot(shape, right)};
   if (legs.left.ankle == legs.right.ankle) throw InvalidArgument("feet", "two feet", "'" + left + "' twice");
   return legs;
 }
