@@ -58,11 +58,15 @@ RadialStep<Scalar>::RadialStep(const PackedModel<Scalar>& model, double frame_ra
 
 template <typename Scalar>
 void RadialStep<Scalar>::step(const Scalar* input, const Scalar* context, Scalar* output) {
-  remember(context);
+  newest_ = (newest_ + 1) % num_frames_;
+  std::fill(taken_.begin(), taken_.end(), Scalar(0));
+  if (started_) remember();
+  see(context);
   look_up(false);
   measure_details(input);
   compare_details();
-  take_details_out(context);
+  measure_what_stands_out();
+  see(context);
   look_up(true);
   measure_details(input);
   compare_details();
@@ -74,15 +78,25 @@ void RadialStep<Scalar>::step(const Scalar* input, const Scalar* context, Scalar
   add_details(output);
 }
 
-/// The features of this frame, its own context not counted, and how far from the centres they are.
+/// Makes `context` the newest of the features, without what stands out in it (nothing, at first).
 template <typename Scalar>
-void RadialStep<Scalar>::remember(const Scalar* context) {
+void RadialStep<Scalar>::see(const Scalar* context) {
   constexpr auto kFarthest = static_cast<Scalar>(kFarthestContext);
-  newest_ = (newest_ + 1) % num_frames_;
-  for (int i = 0; i < num_contexts_; ++i) features_[at(i)] = std::clamp(context[i], -kFarthest, kFarthest);
-  for (int frame = 0; !started_ && frame < num_frames_; ++frame) {
+  for (int i = 0; i < num_contexts_; ++i) {
+    const Scalar seen = std::clamp(context[i], -kFarthest, kFarthest) - taken_[at(i)];
+    features_[at(i)] = std::clamp(seen, -kFarthest, kFarthest);
+  }
+  std::copy_n(features_.begin(), num_contexts_, history_.begin() + newest_ * num_contexts_);
+  if (started_) return;
+  for (int frame = 0; frame < num_frames_; ++frame) {
     std::copy_n(features_.begin(), num_contexts_, history_.begin() + frame * num_contexts_);
   }
+  remember();
+}
+
+/// The older contexts among the features, and how far from the centres they are.
+template <typename Scalar>
+void RadialStep<Scalar>::remember() {
   for (std::size_t lag = 1; lag < map_->lags.size(); ++lag) {
     const int frame = (newest_ + num_frames_ - map_->lags[lag]) % num_frames_;
     std::copy_n(history_.begin() + frame * num_contexts_, num_contexts_,
@@ -152,7 +166,7 @@ void RadialStep<Scalar>::compare_details() {
 }
 
 template <typename Scalar>
-void RadialStep<Scalar>::take_details_out(const Scalar* context) {
+void RadialStep<Scalar>::measure_what_stands_out() {
   const RowLayout& layout = model_->layout;
   const auto take = [this](int slot, Scalar unusual) {
     standing_out_[at(slot)] = unusual * details_[at(slot)] * model_->input_inverse[at(slot)];
@@ -163,12 +177,7 @@ void RadialStep<Scalar>::take_details_out(const Scalar* context) {
       take(RowLayout::kRotations + plane * layout.plane() + joint, unusual_[at(kLanes + joint)]);
     }
   }
-  constexpr auto kFarthest = static_cast<Scalar>(kFarthestContext);
   model_->context.multiply(model_->context.num_rows(), standing_out_.data(), taken_.data());
-  for (int i = 0; i < num_contexts_; ++i) {
-    features_[at(i)] = std::clamp(std::clamp(context[i], -kFarthest, kFarthest) - taken_[at(i)], -kFarthest, kFarthest);
-    history_[at(newest_ * num_contexts_ + i)] = features_[at(i)];
-  }
 }
 
 template <typename Scalar>

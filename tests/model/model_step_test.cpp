@@ -2,6 +2,7 @@
 #include "support/allocations.h"
 #include "support/small_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -51,15 +52,13 @@ TEST(ModelStep, StateOfARadialMapIsTheContextsAtEveryLag) {
   ModelStep<double> step(model);
   Eigen::RowVectorXd output(model->num_dofs() + 1);
   Eigen::VectorXd state(model->state_size());
-  Eigen::VectorXd stood;
   std::vector<Eigen::VectorXd> newest;
   for (int frame = 0; frame < 10; ++frame) {
     step.step(some_row(model->num_dofs(), frame), output);
     step.state(state);
     newest.emplace_back(state.head(contexts));
     // Before the first frame the body is taken to have stood.
-    if (frame == 0) stood = state.tail(contexts);
-    const Eigen::VectorXd& older = frame < lags.back() ? stood : newest[static_cast<std::size_t>(frame - lags.back())];
+    const Eigen::VectorXd& older = newest[static_cast<std::size_t>(std::max(0, frame - lags.back()))];
     EXPECT_EQ(Eigen::VectorXd(state.tail(contexts)), older) << frame;
   }
   EXPECT_EQ(test::count_allocations([&] { step.state(state); }), 0);

@@ -45,11 +45,12 @@ class RadialStep {
  private:
   using Array = math::AlignedVector<Scalar>;
 
-  void remember(const Scalar* context);
+  void see(const Scalar* context);
+  void remember();
   void look_up(bool both_styles);
   void measure_details(const Scalar* input);
   void compare_details();
-  void take_details_out(const Scalar* context);
+  void measure_what_stands_out();
   void filter();
   void add_details(Scalar* output);
 
