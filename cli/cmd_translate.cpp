@@ -2,25 +2,28 @@
 // strut translate: puts a learnt style on a clip.
 #include "commands.h"
 #include "input_files.h"
+#include "style_options.h"
 #include "terminal.h"
 #include "usage.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include <strut/core/error.h>
 #include <strut/io/bvh.h>
-#include <strut/model/style_model_io.h>
 #include <strut/translate/translate_motion.h>
 
 namespace strut::cli {
 namespace {
 
 struct TranslateArguments {
-  std::string model, clip, output;
-  TranslateOptions options;
+  StyleArguments style;
+  std::string clip, output;
+  bool retime = true;
+  double warm_up = TranslateOptions{}.warm_up;
   bool keep_layout = false, force = false;
 };
 
@@ -31,13 +34,19 @@ struct TranslateArguments {
 }
 
 void run(const TranslateArguments& arguments) {
-  check_output(arguments.output, {arguments.model, arguments.clip}, overwrite_if(arguments.force));
+  std::vector<std::string> inputs = arguments.style.paths();
+  inputs.push_back(arguments.clip);
+  check_output(arguments.output, inputs, overwrite_if(arguments.force));
   PrintedDiagnostics diagnostics;
-  const auto model = read_style_model(arguments.model);
+  const auto models = read_models(arguments.style);
+  const TranslateOptions options{.controls = arguments.style.controls,
+                                 .generalization = arguments.style.generalization,
+                                 .retime = arguments.retime,
+                                 .warm_up = arguments.warm_up};
   const BvhClip clip = read_bvh(arguments.clip, {}, &diagnostics);
   try {
-    const Motion result = naming_the_file(
-        arguments.clip, [&] { return translate_motion(model, clip.motion, arguments.options, &diagnostics); });
+    const Motion result =
+        naming_the_file(arguments.clip, [&] { return translate_motion(models, clip.motion, options, &diagnostics); });
     const BvhLayout layout =
         arguments.keep_layout ? clip.layout : default_layout(result.skeleton(), clip.layout.unit, clip.layout.up);
     write_bvh(arguments.output, result, layout, overwrite_if(arguments.force), &diagnostics);
@@ -53,19 +62,12 @@ void run(const TranslateArguments& arguments) {
 void add_translate(CLI::App& app) {
   auto arguments = std::make_shared<TranslateArguments>();
   CLI::App* command = app.add_subcommand("translate", "Put a learnt style on a clip");
-  command->add_option("model", arguments->model, "Style model made by strut learn (.strut)")->required();
+  add_style_options(*command, arguments->style);
   command->add_option("clip", arguments->clip, "BVH clip in the model's input style")->required();
   command->add_option("-o,--output", arguments->output, "BVH file to write")->required();
-  command
-      ->add_option("--strength", arguments->options.controls.strength,
-                   "How much of the style: 0 none, 1 all, up to 1.5")
-      ->check(number_in(0.0, 1.5))
-      ->capture_default_str();
   command->add_flag_callback(
-      "--no-retime", [arguments] { arguments->options.retime = false; }, "Keep the input's timing, frame for frame");
-  command
-      ->add_option("--warm-up", arguments->options.warm_up,
-                   "Seconds of motion extrapolated before the clip, 0 for none")
+      "--no-retime", [arguments] { arguments->retime = false; }, "Keep the input's timing, frame for frame");
+  command->add_option("--warm-up", arguments->warm_up, "Seconds of motion extrapolated before the clip, 0 for none")
       ->check(number_in(0.0, 60.0))
       ->capture_default_str();
   command->add_flag("--keep-layout", arguments->keep_layout,

@@ -5,12 +5,16 @@
 #include "support/small_model.h"
 #include "support/walks.h"
 
+#include <tuple>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <strut/core/file.h>
 #include <strut/io/bvh.h>
 #include <strut/model/style_model_io.h>
+#include <strut/motion/body_parts.h>
+#include <strut/motion/resample.h>
 
 namespace strut::test {
 namespace {
@@ -24,6 +28,14 @@ class TranslateCommand : public testing::Test {
   TranslateCommand() {
     write_clip(here_.file("walk.bvh"), walk_);
     write_style_model(here_.file("copy.strut"), *copying_model(walk_));
+    write_style_model(here_.file("style.strut"), StyleModel(exaggerating_parts(walk_, 0.3, 1.5)));
+  }
+  /// What comes out with the exaggerating model, in the input's time.
+  Motion styled(std::vector<std::string> options) {
+    options.insert(options.end(), {"--no-retime", "--no-generalization", "--force"});
+    const ProgramResult result = translate(options, "@walk.bvh", "@style.strut");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_bvh(here_.file("out.bvh")).motion;
   }
   ProgramResult translate(std::vector<std::string> options, const std::string& clip = "@walk.bvh",
                           const std::string& model = "@copy.strut", const std::string& output = "@out.bvh") {
@@ -41,7 +53,7 @@ TEST_F(TranslateCommand, WritesAClipAndTellsItsLength) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("out.bvh: "));
   EXPECT_EQ(read_bvh(here_.file("out.bvh")).motion.frame_rate(), walk_.frame_rate());
-  EXPECT_THAT(here_.entries(), ElementsAre("copy.strut", "out.bvh", "walk.bvh"));
+  EXPECT_THAT(here_.entries(), ElementsAre("copy.strut", "out.bvh", "style.strut", "walk.bvh"));
 }
 
 TEST_F(TranslateCommand, TakesOtherUnitsAxesAndFrameRates) {
@@ -108,6 +120,66 @@ TEST_F(TranslateCommand, RefusesOptionsOutOfRange) {
                               std::string(strength) + "'\nhint: strut translate --help tells more\n");
   }
   EXPECT_EQ(translate({"--warm-up", "inf"}).exit_code, 2);
+  EXPECT_TRUE(made_nothing());
+}
+
+// Half a unit of the last printed place, of three angles and of every joint down to the hands.
+constexpr double kPrinted = 1e-6;
+
+TEST_F(TranslateCommand, GivesTheInputWhereNothingOfTheStyleIsAskedFor) {
+  const Motion input = read_bvh(here_.file("walk.bvh")).motion;
+  EXPECT_GT(largest_difference(styled({}), input), 0.1);
+  std::vector<std::string> parts;
+  for (const char* name : motion::kBodyPartNames) parts.insert(parts.end(), {"--part", std::string(name) + "=0"});
+  for (const auto& options : std::vector<std::vector<std::string>>{
+           {"--strength", "0"}, {"--pose", "0", "--movement", "0"}, parts, {"--blend", "@copy.strut=1"}}) {
+    EXPECT_LT(largest_difference(styled(options), input), kPrinted) << options[0];
+  }
+}
+
+TEST_F(TranslateCommand, PutsPoseMovementPartsAndBlendsOnApart) {
+  const Motion whole = styled({});
+  for (const auto& options : std::vector<std::vector<std::string>>{
+           {"--pose", "0"}, {"--movement", "0"}, {"--part", "left_arm=0"}, {"--blend", "@copy.strut=0.5"}}) {
+    const Motion some = styled(options);
+    EXPECT_GT(largest_difference(some, whole), 0.01) << options[0];
+    EXPECT_GT(largest_difference(some, walk_), 0.01) << options[0];
+  }
+  EXPECT_LT(largest_difference(styled({"--blend", "@copy.strut=0.25", "--blend", "@copy.strut=0.25"}),
+                               styled({"--blend", "@copy.strut=0.5"})),
+            kPrinted);
+}
+
+TEST_F(TranslateCommand, RefusesPartsAndBlendsItCannotUnderstand) {
+  const std::string parts = "trunk, head, left_arm, right_arm, left_leg, right_leg";
+  for (const auto& [option, word, message] : std::vector<std::tuple<std::string, std::string, std::string>>{
+           {"--part", "arm=1", "--part: expected NAME=X, NAME one of " + parts + ", got 'arm=1'"},
+           {"--part", "head", "--part: expected head= and a number from 0 to 1.5, got 'head'"},
+           {"--part", "head=2", "--part: expected head= and a number from 0 to 1.5, got 'head=2'"},
+           {"--part", "head=nan", "--part: expected head= and a number from 0 to 1.5, got 'head=nan'"},
+           {"--blend", "copy.strut", "--blend: expected MODEL.strut=SHARE, SHARE from 0 to 1, got 'copy.strut'"},
+           {"--blend", "=0.5", "--blend: expected MODEL.strut=SHARE, SHARE from 0 to 1, got '=0.5'"},
+           {"--blend", "a=1.2", "--blend: expected MODEL.strut=SHARE, SHARE from 0 to 1, got 'a=1.2'"},
+           {"--confidence", "0", "--confidence: expected a number from 0.1 to 1000, got '0'"}}) {
+    const ProgramResult result = translate({option, word});
+    EXPECT_EQ(result.exit_code, 2) << word;
+    EXPECT_EQ(result.err, "strut translate: error: " + message + "\nhint: strut translate --help tells more\n");
+  }
+  const ProgramResult too_much = translate({"--blend", "a=0.6", "--blend", "b=0.6"});
+  EXPECT_THAT(too_much.err, HasSubstr("--blend: expected shares of at most 1 together, got 1.2"));
+  EXPECT_TRUE(made_nothing());
+}
+
+TEST_F(TranslateCommand, RefusesToBlendModelsThatDoNotFit) {
+  write_style_model(here_.file("tail.strut"), *copying_model(renamed(walk_, 4, "Tail")));
+  const ProgramResult tail = translate({"--blend", "@tail.strut=0.5"});
+  EXPECT_EQ(tail.exit_code, 4);
+  EXPECT_THAT(tail.err, HasSubstr("tail.strut: error: not the skeleton of " + here_.file("copy.strut")));
+  write_style_model(here_.file("fast.strut"), *copying_model(motion::resample(walk_, 60.0)));
+  const ProgramResult fast = translate({"--blend", "@fast.strut=0.5"});
+  EXPECT_EQ(fast.exit_code, 3);
+  EXPECT_THAT(fast.err, HasSubstr("fast.strut: error: runs at 60 frames per second, " + here_.file("copy.strut") +
+                                  " at 30\nhint: "));
   EXPECT_TRUE(made_nothing());
 }
 

@@ -66,6 +66,22 @@ StyleModelParts copying_parts(const Motion& clip, double log_time_warp) {
   return parts;
 }
 
+StyleModelParts exaggerating_parts(const Motion& clip, double pose, double movement) {
+  StyleModelParts parts = copying_parts(clip);
+  std::vector<Eigen::Quaterniond> means = parts.output.mean_rotations();
+  for (const int joint : parts.output.joints()) {
+    Eigen::Quaterniond& mean = means[static_cast<std::size_t>(joint)];
+    mean = math::exp_map({pose, 0.0, 0.0}) * mean;
+  }
+  parts.output = {parts.output.shared_skeleton(), means, parts.output.upright(), parts.output.travel_joint()};
+  for (StyleBlock& block : parts.blocks) {
+    if (block.output_dofs[0] < representation::kNumRootDofs) continue;
+    block.system =
+        sysid::LtiSystem({}, Eigen::MatrixXd(0, 1), Eigen::MatrixXd(1, 0), movement * Eigen::MatrixXd::Ones(1, 1));
+  }
+  return parts;
+}
+
 RadialMap some_radial_map(int num_dofs, int centres) {
   constexpr int kContexts = 2;
   const std::vector<int> lags = {0, 3};

@@ -24,6 +24,10 @@ inline std::shared_ptr<const StyleModel> copying_model(const Motion& clip, doubl
   return std::make_shared<const StyleModel>(copying_parts(clip, log_time_warp));
 }
 
+/// A model that turns every joint below the pelvis by `pose` [rad] about its parent's X axis on average, and makes its
+/// movement about that `movement` times as large; the root is left alone.
+StyleModelParts exaggerating_parts(const Motion& clip, double pose, double movement);
+
 /// A map of `centres` centres over two contexts, now and three frames ago, its numbers of no meaning but all different.
 RadialMap some_radial_map(int num_dofs, int centres);
 
