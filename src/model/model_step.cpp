@@ -30,8 +30,14 @@ ModelStep<Scalar>::ModelStep(std::shared_ptr<const StyleModel> model) : model_(s
 template <typename Scalar>
 void ModelStep<Scalar>::step(const Scalar* input, Scalar* output) {
   const int slots = layout().num_slots();
-  for (int slot = 0; slot < slots; ++slot) {
-    inputs_[at(slot)] = (input[slot] - packed_->input_mean[at(slot)]) * packed_->input_inverse[at(slot)];
+  deviations_.fill(Scalar(0));
+  for (int tile = 0; tile < slots; tile += math::kLanes) {
+    for (int lane = 0; lane < math::kLanes; ++lane) {
+      const auto slot = at(tile + lane);
+      const Scalar centred = input[slot] - packed_->input_mean[slot];
+      inputs_[slot] = centred * packed_->input_inverse[slot];
+      deviations_[at(lane)] = std::max(deviations_[at(lane)], std::abs(centred) * packed_->familiar_inverse[slot]);
+    }
   }
   Scalar* contexts = inputs_.data() + slots;
   packed_->context.multiply(packed_->context.num_rows(), inputs_.data(), contexts);
@@ -70,16 +76,13 @@ void ModelStep<Scalar>::state(Eigen::Ref<Eigen::VectorXd> state) const {
 template <typename Scalar>
 void ModelStep<Scalar>::reset() {
   std::fill(state_.begin(), state_.end(), Scalar(0));
+  deviations_.fill(Scalar(0));
   if (radial_) radial_->reset();
 }
 
 template <typename Scalar>
 Scalar ModelStep<Scalar>::largest_deviation() const {
-  Scalar largest = Scalar(0);
-  for (int slot = 0; slot < layout().num_slots(); ++slot) {
-    largest = std::max(largest, std::abs(inputs_[at(slot)]));
-  }
-  return largest;
+  return *std::max_element(deviations_.begin(), deviations_.end());
 }
 
 template class ModelStep<float>;

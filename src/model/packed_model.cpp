@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include <strut/model/packed_model.h>
@@ -26,6 +27,17 @@ AlignedVector<Scalar> slots_of(const RowLayout& layout, const Eigen::VectorXd& v
 /// 1 / value, 0 of 0.
 Eigen::VectorXd inverse(const Eigen::VectorXd& values) {
   return (values.array() > 0.0).select(values.cwiseMax(1e-300).cwiseInverse(), 0.0);
+}
+
+/// What counts as a deviation when input is held against the examples: theirs, or another performer's where that is
+/// larger. Degrees of freedom that hardly move in the examples, dropped ones too, would otherwise make a stranger of
+/// everybody.
+Eigen::VectorXd familiar_deviations(const representation::Normalization& scaling) {
+  Eigen::VectorXd deviations = scaling.scale();
+  for (Eigen::Index dof = 0; dof < deviations.size(); ++dof) {
+    deviations[dof] = std::max(deviations[dof], representation::performer_deviation(dof));
+  }
+  return deviations;
 }
 
 /// Columns (or rows) by degree of freedom to slots.
@@ -99,6 +111,7 @@ PackedModel<Scalar>::PackedModel(const StyleModelParts& parts)
       input_mean(slots_of<Scalar>(layout, parts.input_scaling.mean())),
       input_scale(slots_of<Scalar>(layout, parts.input_scaling.scale())),
       input_inverse(slots_of<Scalar>(layout, inverse(parts.input_scaling.scale()))),
+      familiar_inverse(slots_of<Scalar>(layout, inverse(familiar_deviations(parts.input_scaling)))),
       output_mean(slots_of<Scalar>(layout, parts.output_scaling.mean())),
       output_scale(slots_of<Scalar>(layout, parts.output_scaling.scale())),
       context(columns_in_slots(layout, parts.context)),

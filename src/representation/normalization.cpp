@@ -13,6 +13,11 @@ constexpr double kLeastAngle = 0.5 * std::numbers::pi / 180.0;  // [rad]
 constexpr double kLeastLength = 0.01;                           // [m]
 constexpr double kOneHertz = 2.0 * std::numbers::pi;            // [rad/s]
 
+constexpr double kPerformerAngle = 8.0 * std::numbers::pi / 180.0;  // [rad]
+constexpr double kPerformerHeight = 0.08;                           // [m]
+constexpr double kPerformerSpeed = 0.1;                             // [m/s]
+constexpr double kPerformerTurning = 0.2;                           // [rad/s]
+
 }  // namespace
 
 double least_deviation(Eigen::Index dof) {
@@ -26,6 +31,20 @@ double least_deviation(Eigen::Index dof) {
       return kLeastLength;
     default:
       return kLeastAngle;
+  }
+}
+
+double performer_deviation(Eigen::Index dof) {
+  switch (dof) {
+    case kSidewaysVelocity:
+    case kForwardVelocity:
+      return kPerformerSpeed;
+    case kTurningRate:
+      return kPerformerTurning;
+    case kHeight:
+      return kPerformerHeight;
+    default:
+      return kPerformerAngle;
   }
 }
 

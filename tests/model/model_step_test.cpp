@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <strut/model/model_step.h>
+#include <strut/representation/normalization.h>
 
 namespace strut {
 namespace {
@@ -62,6 +63,62 @@ TEST(ModelStep, StateOfARadialMapIsTheContextsAtEveryLag) {
     EXPECT_EQ(Eigen::VectorXd(state.tail(contexts)), older) << frame;
   }
   EXPECT_EQ(test::count_allocations([&] { step.state(state); }), 0);
+}
+
+constexpr double kRounding = 1e-12;  // of a few numbers of order one
+
+/// Deviations of the copying model's input: what the examples have, by degree of freedom.
+ModelStep<double> step_with(const Eigen::VectorXd& mean, const Eigen::VectorXd& scale) {
+  StyleModelParts parts = test::copying_parts(test::turning_motion(30.0, 1.0));
+  parts.input_scaling = {mean, scale};
+  return ModelStep<double>(std::make_shared<const StyleModel>(std::move(parts)));
+}
+
+double deviation(ModelStep<double> step, const Eigen::RowVectorXd& row) {
+  Eigen::RowVectorXd output(row.size() + 1);
+  step.step(row, output);
+  return step.largest_deviation();
+}
+
+class LargestDeviation : public testing::Test {
+ protected:
+  const int dofs_ = test::copying_parts(test::turning_motion(30.0, 1.0)).input.num_dofs();
+  Eigen::VectorXd mean_ = Eigen::VectorXd::LinSpaced(dofs_, -0.5, 0.5);
+  Eigen::VectorXd scale_ = Eigen::VectorXd::Constant(dofs_, 0.5);
+};
+
+TEST_F(LargestDeviation, IsZeroAtTheMeanAndBeforeTheFirstStep) {
+  EXPECT_EQ(step_with(mean_, scale_).largest_deviation(), 0.0);
+  EXPECT_EQ(deviation(step_with(mean_, scale_), mean_.transpose()), 0.0);
+}
+
+TEST_F(LargestDeviation, IsThatOfTheDegreeOfFreedomFarthestOff) {
+  for (int dof = 0; dof < dofs_; ++dof) {
+    Eigen::RowVectorXd row = mean_.transpose().array() + 0.3;
+    row[dof] = mean_[dof] - 1.0;
+    EXPECT_NEAR(deviation(step_with(mean_, scale_), row), 2.0, kRounding) << dof;
+  }
+}
+
+TEST_F(LargestDeviation, CountsAPerformersOwnPostureWhereTheExamplesHardlyMove) {
+  for (int dof = 0; dof < dofs_; ++dof) {
+    const double own = representation::performer_deviation(dof);
+    for (const double scale : {0.0, 0.2 * own}) {  // dropped degrees of freedom count too
+      scale_[dof] = scale;
+      Eigen::RowVectorXd row = mean_.transpose();
+      row[dof] += 3.0 * own;
+      EXPECT_NEAR(deviation(step_with(mean_, scale_), row), 3.0, kRounding) << dof;
+    }
+  }
+}
+
+TEST_F(LargestDeviation, IsForgottenOnReset) {
+  ModelStep<double> step = step_with(mean_, scale_);
+  Eigen::RowVectorXd row = mean_.transpose().array() + 1.0, output(dofs_ + 1);
+  step.step(row, output);
+  EXPECT_GT(step.largest_deviation(), 0.0);
+  step.reset();
+  EXPECT_EQ(step.largest_deviation(), 0.0);
 }
 
 }  // namespace

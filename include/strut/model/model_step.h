@@ -2,6 +2,7 @@
 // The model step (Hsu et al. 2005, 4.4): rows of the input representation in, rows of the output representation out.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -41,8 +42,9 @@ class ModelStep {
     if (radial_) radial_->visit_state(visit);
   }
 
-  /// How far the latest input lies from the examples: the largest absolute value over the degrees of freedom that were
-  /// kept, in the examples' deviations.
+  /// How far the latest input lies from the examples (Hsu et al. 2005, Eq. 7): the largest distance of a degree of
+  /// freedom from their mean, in their deviations or, where those are smaller, in a performer's own
+  /// (representation::performer_deviation). Zero before the first step.
   [[nodiscard]] Scalar largest_deviation() const;
 
   [[nodiscard]] const StyleModel& model() const noexcept { return *model_; }
@@ -52,6 +54,7 @@ class ModelStep {
   std::shared_ptr<const StyleModel> model_;
   const PackedModel<Scalar>* packed_;
   std::optional<RadialStep<Scalar>> radial_;
+  std::array<Scalar, math::kLanes> deviations_{};       // of the latest input, the largest of every lane
   math::AlignedVector<Scalar> inputs_;                  // normalized slots, then the contexts
   math::AlignedVector<Scalar> state_, scratch_;         // of the linear systems
   math::AlignedVector<Scalar> row_input_, row_output_;  // slots of the rows given as rows

@@ -43,8 +43,9 @@ struct PackedModel {
   explicit PackedModel(const StyleModelParts& parts);
 
   representation::RowLayout layout;
-  math::AlignedVector<Scalar> input_mean, input_scale;    ///< per slot; scale 0: dropped
-  math::AlignedVector<Scalar> input_inverse;              ///< 1 / scale, 0 where dropped
+  math::AlignedVector<Scalar> input_mean, input_scale;  ///< per slot; scale 0: dropped
+  math::AlignedVector<Scalar> input_inverse;            ///< 1 / scale, 0 where dropped
+  math::AlignedVector<Scalar> familiar_inverse;  ///< per slot: 1 / what counts as one deviation from the examples
   math::AlignedVector<Scalar> output_mean, output_scale;  ///< per slot
   math::TiledMatrix<Scalar> context;                      ///< contexts x slots
   sysid::LtiBank<Scalar> blocks;                          ///< from slots, then contexts, to slots

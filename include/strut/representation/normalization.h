@@ -36,6 +36,11 @@ class Normalization {
 /// what a swing of that size at one hertz has) [units of the dof].
 double least_deviation(Eigen::Index dof);
 
+/// How far another performer of the same movement may be from the examples' mean in degree of freedom `dof` by body and
+/// posture alone: 8 degrees, 8 centimetres, a tenth of a metre per second, 0.2 radians per second [units of the dof].
+/// Recordings of one content differ by up to that in their mean posture (docs/generalization.md).
+double performer_deviation(Eigen::Index dof);
+
 /// Mean and standard deviation over all rows of `signals` (each frames x dofs of representation.h). A degree of freedom
 /// whose deviation is below least_deviation is dropped. Throws InvalidArgument if there is no row or a number is not
 /// finite. Cost O(frames x dofs).
