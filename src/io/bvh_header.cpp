@@ -154,9 +154,10 @@ BvhHeader parse_header(BvhCursor& cursor) {
   if (!cursor.accept_word("Frames")) cursor.fail(cursor.position(), "'Frames:'");
   cursor.expect_mark(':');
   cursor.skip_blanks();
-  header.num_frames_begin = cursor.position();
+  const std::size_t num_frames_begin = cursor.position();
+  header.num_frames_line = cursor.line_label(num_frames_begin);
   header.num_frames = cursor.expect_count("a number of frames", kMostFrames);
-  header.text = cursor.text().substr(0, header.num_frames_begin);
+  header.text = cursor.text().substr(0, num_frames_begin);
   const std::size_t lead_begin = cursor.position();
   parse_frame_time(cursor, header);
   const std::size_t frame_time_begin = cursor.text().find(header.frame_time, lead_begin);

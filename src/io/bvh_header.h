@@ -22,7 +22,7 @@ struct BvhHeader {
   std::vector<std::vector<BvhChannel>> channels;  ///< per joint
   int num_channels = 0;                           ///< of all joints
   long long num_frames = 0;                       ///< as claimed
-  std::size_t num_frames_begin = 0;               ///< where that number stands in the text
+  std::string num_frames_line;                    ///< where it claims so, for a diagnostic
   std::string text;                               ///< everything before that number
   std::string frame_time_lead;                    ///< everything between that number and the frame time
   std::string frame_time;                         ///< as printed

@@ -34,12 +34,36 @@ Eigen::Quaterniond rotation_from_angles(const std::array<double, 3>& angles, con
 /// The angles [rad] of one joint in a row of values.
 std::array<double, 3> angles_in(const double* row, const JointColumns& columns);
 
-/// Reads every whole row: rows x header.num_channels values. Throws ParseError; reports a wrong count and a cut row.
-std::vector<double> parse_rows(BvhCursor& cursor, const BvhHeader& header, Diagnostics* diagnostics);
+/// Reads one row after another from behind the header on. What it is given must outlive it.
+class BvhRows {
+ public:
+  BvhRows(BvhCursor& cursor, const BvhHeader& header, Diagnostics* diagnostics);
 
-/// One row as a pose, in the file's unit and axes. `offsets`: the joints' OFFSETs in the same.
-Pose pose_from_row(const double* row, const std::vector<JointColumns>& columns, const std::vector<Joint>& joints,
-                   PositionChannels positions);
+  /// Appends the next whole row's header.num_channels values; false at the end, where a wrong count and a cut row are
+  /// reported. Throws ParseError. Where text comes line by line, those behind the row are not waited for.
+  bool next(std::vector<double>& values);
+  [[nodiscard]] long long num_rows() const noexcept { return num_rows_; }
+
+ private:
+  void skip_to_row();
+  bool parse_row(std::vector<double>& values);
+  [[nodiscard]] bool is_cut_off(std::size_t column);
+  void report_cut_row(std::size_t row_begin, std::size_t column);
+  [[noreturn]] void fail_short(std::size_t column);
+  double parse_unusual(std::size_t column);
+  void report_count();
+
+  BvhCursor& cursor_;
+  const BvhHeader& header_;
+  Diagnostics* diagnostics_;
+  std::size_t num_channels_;
+  long long num_rows_ = 0;
+  bool at_end_ = false;
+};
+
+/// Writes one row to `pose`, in the file's unit and axes. `joints`: with OFFSETs in the same.
+void pose_from_row(const double* row, const std::vector<JointColumns>& columns, const std::vector<Joint>& joints,
+                   PositionChannels positions, Pose& pose);
 
 /// A vector in the file's axes turned so that Y is up, and back.
 inline Eigen::Vector3d to_y_up(const Eigen::Vector3d& v, UpAxis up) {

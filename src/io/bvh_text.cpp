@@ -51,10 +51,39 @@ std::string quoted(std::string_view word) {
 }  // namespace
 
 BvhCursor::BvhCursor(std::string_view text, const std::string& name) : text_(text), name_(name) {
+  check_encoding();
+}
+
+BvhCursor::BvhCursor(BvhLines& lines, const std::string& name) : lines_(&lines), name_(name) {
+  append_line();
+  check_encoding();
+}
+
+void BvhCursor::check_encoding() {
   if (text_.substr(0, 2) == "\xFF\xFE" || text_.substr(0, 2) == "\xFE\xFF") {
     fail_with(0, "text in ASCII or UTF-8", "UTF-16", "save the file as plain text");
   }
   if (text_.substr(0, kUtf8Mark.size()) == kUtf8Mark) position_ = kUtf8Mark.size();
+}
+
+bool BvhCursor::append_line() {
+  if (lines_ == nullptr || !lines_->append_line(kept_)) return false;
+  text_ = kept_;
+  return true;
+}
+
+void BvhCursor::forget_lines() {
+  if (lines_ == nullptr || position_ == 0) return;
+  const std::size_t line_begin = text_.rfind('\n', position_ - 1) + 1;  // npos + 1 is 0
+  forgotten_ += line_at(line_begin) - line_at(0);
+  kept_.erase(0, line_begin);
+  text_ = kept_;
+  position_ -= line_begin;
+}
+
+std::size_t BvhCursor::line_at(std::size_t position) const {
+  const std::string_view before = text_.substr(0, position);
+  return forgotten_ + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
 }
 
 void BvhCursor::skip_blanks() {
@@ -147,7 +176,7 @@ void BvhCursor::fail(std::size_t position, const std::string& expected, const st
 void BvhCursor::fail_with(std::size_t position, const std::string& expected, const std::string& found,
                           const std::string& hint) const {
   const std::string_view before = text_.substr(0, position);
-  const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+  const std::size_t line = line_at(position);
   const std::size_t line_begin = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
   std::string_view on_line = before.substr(line_begin);
   if (line == 1 && on_line.substr(0, kUtf8Mark.size()) == kUtf8Mark) on_line.remove_prefix(kUtf8Mark.size());
@@ -166,8 +195,7 @@ std::string BvhCursor::describe(std::size_t position) const {
 }
 
 std::string BvhCursor::line_label(std::size_t position) const {
-  const std::string_view before = text_.substr(0, position);
-  return name_ + ":" + std::to_string(std::count(before.begin(), before.end(), '\n') + 1);
+  return name_ + ":" + std::to_string(line_at(position));
 }
 
 }  // namespace strut::io::detail

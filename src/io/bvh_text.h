@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A cursor over the text of a BVH file: words, numbers, and errors that know their line and column. Lines are counted
-// only when a message needs them, so the cursor costs nothing on the way.
+// A cursor over the text of a BVH file, whole or as it comes: words, numbers, and errors that know their line and
+// column. Lines are counted only when a message needs them, so the cursor costs nothing on the way.
 #pragma once
+
+#include "bvh_lines.h"
 
 #include <cstddef>
 #include <string>
@@ -16,14 +18,21 @@ inline constexpr double kLargestNumber = 1e12;
 
 class BvhCursor {
  public:
-  /// Starts behind a byte-order mark. Both strings must outlive the cursor.
+  /// Starts behind a byte-order mark. What is given must outlive the cursor.
   BvhCursor(std::string_view text, const std::string& name);
+  /// The same over lines that come one by one: text() is what has come so far and was not forgotten; it grows, and
+  /// moves, wherever the cursor reaches its end.
+  BvhCursor(BvhLines& lines, const std::string& name);
+  BvhCursor(const BvhCursor&) = delete;
+  BvhCursor& operator=(const BvhCursor&) = delete;
 
   [[nodiscard]] std::size_t position() const { return position_; }
   void set_position(std::size_t position) { position_ = position; }
   [[nodiscard]] std::string_view text() const { return text_; }
-  [[nodiscard]] bool at_end() const { return position_ == text_.size(); }
-  [[nodiscard]] bool at_line_end() const { return at_end() || text_[position_] == '\n'; }
+  [[nodiscard]] bool at_end() { return position_ == text_.size() && !append_line(); }
+  [[nodiscard]] bool at_line_end() { return at_end() || text_[position_] == '\n'; }
+  /// Lets go of the lines before this one where text comes line by line: positions count from here afterwards.
+  void forget_lines();
 
   /// Over spaces, tabs and carriage returns, but not to another line.
   void skip_blanks();
@@ -59,9 +68,17 @@ class BvhCursor {
   [[nodiscard]] std::string line_label(std::size_t position) const;
 
  private:
+  void check_encoding();
+  bool append_line();
+  /// Of the text at `position`, from 1.
+  [[nodiscard]] std::size_t line_at(std::size_t position) const;
+
+  BvhLines* lines_ = nullptr;
+  std::string kept_;  // lines that have come
   std::string_view text_;
   const std::string& name_;
   std::size_t position_ = 0;
+  std::size_t forgotten_ = 0;  // lines before text_
 };
 
 }  // namespace strut::io::detail

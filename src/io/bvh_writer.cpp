@@ -14,6 +14,7 @@
 
 #include <strut/core/error.h>
 #include <strut/io/bvh.h>
+#include <strut/io/bvh_stream.h>
 
 namespace strut {
 namespace {
@@ -146,8 +147,8 @@ std::string frame_time_text(double frame_rate) {
 /// Turns poses into rows of the layout, and remembers what the channels could not hold.
 class RowMaker {
  public:
-  RowMaker(const Motion& motion, const BvhLayout& layout, const std::vector<Eigen::Vector3d>& offsets)
-      : skeleton_(motion.skeleton()),
+  RowMaker(const Skeleton& skeleton, const BvhLayout& layout, const std::vector<Eigen::Vector3d>& offsets)
+      : skeleton_(skeleton),
         layout_(layout),
         offsets_(offsets),
         columns_(io::detail::columns_of(layout.channels)),
@@ -157,11 +158,11 @@ class RowMaker {
         lost_translation_(num_joints_),
         lost_rotation_(num_joints_) {
     for (int j = skeleton_.pelvis(); j > 0; j = skeleton_.joint(j).parent) chain_.insert(chain_.begin(), j);
-    use_source_angles(source_row(0));
   }
 
-  const std::vector<double>& make(const Pose& pose, int frame) {
-    const double* source = source_row(frame);
+  /// `source`: the row that the pose came from, or null.
+  const std::vector<double>& make(const Pose& pose, const double* source) {
+    if (std::exchange(is_first_, false)) use_source_angles(source);
     const Eigen::Vector3d shift = root_shift(pose);
     for (std::size_t j = 0; j < num_joints_; ++j) {
       put_position(j, j == 0 ? Eigen::Vector3d(pose.translations[0] + shift) : pose.translations[j]);
@@ -184,13 +185,6 @@ class RowMaker {
   }
 
  private:
-  [[nodiscard]] const double* source_row(int frame) const {
-    if (!layout_.source_values || row_.empty() || layout_.first_source_row < 0) return nullptr;
-    const std::size_t begin =
-        (static_cast<std::size_t>(layout_.first_source_row) + static_cast<std::size_t>(frame)) * row_.size();
-    return begin + row_.size() <= layout_.source_values->size() ? layout_.source_values->data() + begin : nullptr;
-  }
-
   void use_source_angles(const double* source) {
     for (std::size_t j = 0; source != nullptr && j < num_joints_; ++j) {
       angles_[j] = io::detail::angles_in(source, columns_[j]);
@@ -282,6 +276,7 @@ class RowMaker {
   std::vector<double> row_;
   std::vector<Angles> angles_;  // of the frame before [rad]
   std::vector<double> lost_translation_, lost_rotation_;
+  bool is_first_ = true;
 };
 
 /// Columns in the order in which the file names the joints.
@@ -305,34 +300,95 @@ std::vector<Eigen::Vector3d> written_offsets(const Skeleton& skeleton, const Bvh
   return offsets;
 }
 
+/// The source's row that belongs to `frame` of a motion; none where the layout does not keep it.
+std::span<const double> source_row(const BvhLayout& layout, int frame) {
+  if (!layout.source_values || layout.first_source_row < 0) return {};
+  const auto width = static_cast<std::size_t>(layout.num_channels());
+  const std::size_t begin =
+      (static_cast<std::size_t>(layout.first_source_row) + static_cast<std::size_t>(frame)) * width;
+  if (begin + width > layout.source_values->size()) return {};
+  return {layout.source_values->data() + begin, width};
+}
+
 }  // namespace
 
-std::string format_bvh(const Motion& motion, const BvhLayout& layout, Diagnostics* diagnostics) {
-  const Skeleton& skeleton = motion.skeleton();
-  if (static_cast<int>(layout.channels.size()) != skeleton.num_joints()) {
-    throw InvalidArgument("layout", "channels for " + std::to_string(skeleton.num_joints()) + " joints",
+struct BvhRowWriter::Text {
+  Text(std::shared_ptr<const Skeleton> given_skeleton, double given_frame_rate, BvhLayout given_layout)
+      : skeleton(std::move(given_skeleton)),
+        frame_rate(given_frame_rate),
+        layout(std::move(given_layout)),
+        keeps_header(!layout.header.empty() && same_bones(layout.skeleton.get(), *skeleton)),
+        offsets(written_offsets(*skeleton, layout, keeps_header)),
+        order(depth_first_order(*skeleton)),
+        columns(file_columns(layout, order)),
+        rows(*skeleton, layout, offsets) {}
+
+  std::shared_ptr<const Skeleton> skeleton;
+  double frame_rate;
+  BvhLayout layout;
+  bool keeps_header;
+  std::vector<Eigen::Vector3d> offsets;
+  std::vector<int> order;
+  std::vector<std::size_t> columns;
+  RowMaker rows;
+  std::string line;
+};
+
+BvhRowWriter::BvhRowWriter(std::shared_ptr<const Skeleton> skeleton, double frame_rate, BvhLayout layout) {
+  if (!skeleton) throw InvalidArgument("skeleton", "a skeleton", "null");
+  if (!(std::isfinite(frame_rate) && frame_rate > 0.0)) {
+    throw InvalidArgument("frame_rate", "a positive number of frames per second", std::to_string(frame_rate));
+  }
+  if (static_cast<int>(layout.channels.size()) != skeleton->num_joints()) {
+    throw InvalidArgument("layout", "channels for " + std::to_string(skeleton->num_joints()) + " joints",
                           "channels for " + std::to_string(layout.channels.size()));
   }
-  const bool keeps_header = !layout.header.empty() && same_bones(layout.skeleton.get(), skeleton);
-  const auto offsets = written_offsets(skeleton, layout, keeps_header);
-  const std::vector<int> order = depth_first_order(skeleton);
-  std::string text = keeps_header ? layout.header : HeaderText(skeleton, layout, offsets).make(order);
-  text += std::to_string(motion.num_frames());
-  text += keeps_header ? layout.frame_time_lead : layout.line_end + "Frame Time: ";
-  const bool keeps_time = !layout.frame_time.empty() && layout.frame_rate == motion.frame_rate();
-  text += (keeps_time ? layout.frame_time : frame_time_text(motion.frame_rate())) + layout.line_end;
+  text_ = std::make_unique<Text>(std::move(skeleton), frame_rate, std::move(layout));
+}
 
-  RowMaker rows(motion, layout, offsets);
-  const std::vector<std::size_t> columns = file_columns(layout, order);
-  for (int frame = 0; frame < motion.num_frames(); ++frame) {
-    const std::vector<double>& row = rows.make(motion.frame(frame), frame);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (i > 0) text += ' ';
-      append_number(text, row[columns[i]]);
-    }
-    text += layout.line_end;
+BvhRowWriter::BvhRowWriter(BvhRowWriter&&) noexcept = default;
+BvhRowWriter& BvhRowWriter::operator=(BvhRowWriter&&) noexcept = default;
+BvhRowWriter::~BvhRowWriter() = default;
+
+std::string BvhRowWriter::header(long long num_frames) const {
+  const BvhLayout& layout = text_->layout;
+  std::string header =
+      text_->keeps_header ? layout.header : HeaderText(*text_->skeleton, layout, text_->offsets).make(text_->order);
+  header += std::to_string(num_frames);
+  header += text_->keeps_header ? layout.frame_time_lead : layout.line_end + "Frame Time: ";
+  const bool keeps_time = !layout.frame_time.empty() && layout.frame_rate == text_->frame_rate;
+  return header + (keeps_time ? layout.frame_time : frame_time_text(text_->frame_rate)) + layout.line_end;
+}
+
+const std::string& BvhRowWriter::row(const Pose& pose, std::span<const double> source) {
+  const auto joints = static_cast<std::size_t>(text_->skeleton->num_joints());
+  if (pose.rotations.size() != joints || pose.translations.size() != joints) {
+    throw InvalidArgument("pose", std::to_string(joints) + " joints", std::to_string(pose.rotations.size()));
   }
-  if (diagnostics != nullptr) rows.report(*diagnostics);
+  if (!source.empty() && source.size() != text_->columns.size()) {
+    throw InvalidArgument("source", std::to_string(text_->columns.size()) + " numbers", std::to_string(source.size()));
+  }
+  const std::vector<double>& values = text_->rows.make(pose, source.empty() ? nullptr : source.data());
+  std::string& line = text_->line;
+  line.clear();
+  for (const std::size_t column : text_->columns) {
+    if (!line.empty()) line += ' ';
+    append_number(line, values[column]);
+  }
+  return line += text_->layout.line_end;
+}
+
+void BvhRowWriter::report(Diagnostics& diagnostics) const {
+  text_->rows.report(diagnostics);
+}
+
+std::string format_bvh(const Motion& motion, const BvhLayout& layout, Diagnostics* diagnostics) {
+  BvhRowWriter writer(motion.shared_skeleton(), motion.frame_rate(), layout);
+  std::string text = writer.header(motion.num_frames());
+  for (int frame = 0; frame < motion.num_frames(); ++frame) {
+    text += writer.row(motion.frame(frame), source_row(layout, frame));
+  }
+  if (diagnostics != nullptr) writer.report(*diagnostics);
   return text;
 }
 
