@@ -2,12 +2,13 @@
 // strut clean: holds the planted feet of a clip, and tells how far they slid and how far they were moved.
 #include "commands.h"
 #include "csv_table.h"
+#include "feet_options.h"
+#include "footplant_table.h"
 #include "input_files.h"
 #include "terminal.h"
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,37 +30,34 @@ constexpr double kCmPerMetre = 100.0;
 
 struct CleanArguments {
   std::string clip, output, footplants;
+  FeetOptions feet;
   bool keep_layout = false, force = false;
 };
 
-int parse_foot(const std::string& path, const std::string& word) {
-  if (word == "0" || word == "left") return 0;
-  if (word == "1" || word == "right") return 1;
-  throw BadInput(path, "expected left or right (or 0 or 1) as a foot, found '" + word + "'");
+/// A number of a row as a frame of the clip.
+int frame_of(const std::string& path, const CsvRow& row, std::size_t number, int least, int greatest) {
+  const double value = row.numbers[number];
+  if (value == std::floor(value) && value >= least && value <= greatest) return static_cast<int>(value);
+  throw ParseError(path, row.line, row.number_columns[number], fmt::format("a frame from {} to {}", least, greatest),
+                   fmt::format("{:g}", value));
 }
 
-int frame_number(const std::string& path, double number) {
-  const bool is_one = number >= 0.0 && number <= std::numeric_limits<int>::max() && number == std::floor(number);
-  if (!is_one) throw BadInput(path, fmt::format("expected a frame number, found {}", number));
-  return static_cast<int>(number);
+int foot_of(const std::string& path, const CsvRow& row) {
+  for (const int foot : {0, 1}) {
+    if (row.texts[1] == foot_name(foot)) return foot;
+  }
+  throw ParseError(path, row.line, row.text_columns[1], "left or right", "'" + row.texts[1] + "'");
 }
 
 /// The rows of a table that name the clip, by path, file name, or file name without its ending.
-std::vector<motion::Footplant> read_footplants(const std::string& path, const std::string& clip, int num_frames) {
-  const CsvColumns frames = read_csv_columns(path, {"begin", "end"}, "clip");
-  const CsvColumns feet = read_csv_columns(path, {}, "foot");
+std::vector<motion::Footplant> footplants_of(const std::string& path, const std::string& clip, int num_frames) {
   const std::filesystem::path file(clip);
   std::vector<motion::Footplant> plants;
-  for (std::size_t i = 0; i < frames.labels.size(); ++i) {
-    const std::string& name = frames.labels[i];
-    if (name != clip && name != file.filename() && name != file.stem()) continue;
-    const auto row = static_cast<Eigen::Index>(i);
-    plants.push_back({parse_foot(path, feet.labels[i]), frame_number(path, frames.values(row, 0)),
-                      frame_number(path, frames.values(row, 1))});
-    if (plants.back().end <= plants.back().begin || plants.back().end > num_frames) {
-      throw BadInput(path, fmt::format("frames {} to {} are not inside {}, which has {}", plants.back().begin,
-                                       plants.back().end, clip, num_frames));
-    }
+  for (const CsvRow& row : read_csv_rows(path, {"clip", "foot"}, {"begin", "end"})) {
+    const std::filesystem::path name(row.texts[0]);
+    if (name != file && name.filename() != file.filename() && name != file.stem()) continue;
+    const int begin = frame_of(path, row, 0, 0, num_frames - 1);
+    plants.push_back({foot_of(path, row), begin, frame_of(path, row, 1, begin + 1, num_frames)});
   }
   if (plants.empty()) {
     throw BadInput(path, "no footplants of " + clip, "the column 'clip' holds the clip's file name");
@@ -112,7 +110,7 @@ void print_report(const CleanArguments& arguments, const Motion& before, const M
              slide(before, plants));
   if (moved.value > 0.0) {
     fmt::print("feet moved by at most {:.1f} cm: the {} at frame {} ({:.2f} s)\n", kCmPerMetre * moved.value,
-               moved.foot == 0 ? "left" : "right", moved.frame, moved.frame * before.frame_time());
+               foot_name(moved.foot), moved.frame, moved.frame * before.frame_time());
   }
 }
 
@@ -124,19 +122,18 @@ void run(const CleanArguments& arguments) {
   const BvhClip clip = read_bvh(arguments.clip, {}, &diagnostics);
   const Motion& motion = clip.motion;
   if (motion.num_frames() < 2) throw BadInput(arguments.clip, "at least two frames are needed");
-  const auto legs = motion::find_legs(motion);
-  if (!legs) throw BadInput(arguments.clip, "no legs are found in its skeleton");
+  const motion::Legs legs = legs_of(arguments.clip, motion, arguments.feet);
   const auto plants = arguments.footplants.empty()
-                          ? postprocess::detect_footplants(motion, *legs)
-                          : read_footplants(arguments.footplants, arguments.clip, motion.num_frames());
+                          ? postprocess::detect_footplants(motion, legs)
+                          : footplants_of(arguments.footplants, arguments.clip, motion.num_frames());
   const BvhLayout layout =
       arguments.keep_layout ? clip.layout : default_layout(motion.skeleton(), clip.layout.unit, clip.layout.up);
   postprocess::FootskateOptions options;
-  if (!holds_stretch(layout, *legs)) options.max_stretch = 0.0;
+  if (!holds_stretch(layout, legs)) options.max_stretch = 0.0;
   const Motion cleaned = naming_the_file(
-      arguments.clip, [&] { return postprocess::clean_footskate(motion, *legs, plants, options, &diagnostics); });
+      arguments.clip, [&] { return postprocess::clean_footskate(motion, legs, plants, options, &diagnostics); });
   write_bvh(arguments.output, cleaned, layout, overwrite_if(arguments.force), &diagnostics);
-  print_report(arguments, motion, cleaned, *legs, plants);
+  print_report(arguments, motion, cleaned, legs, plants);
 }
 
 }  // namespace
@@ -148,6 +145,7 @@ void add_clean(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "BVH file to write")->required();
   command->add_option("--footplants", arguments->footplants,
                       "When feet are planted: a table with the columns clip, foot, begin and end (default: detected)");
+  add_feet_option(*command, arguments->feet);
   command->add_flag("--keep-layout", arguments->keep_layout,
                     "Write the input file's channels instead of six on the root, three elsewhere");
   command->add_flag("--force", arguments->force, "Overwrite an existing file");

@@ -25,7 +25,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kWrittenStill = 1e-3;  // slide of held feet as a file's decimals give it [m/s]; measured: 4e-4, of legs that may not stretch
+constexpr double kWrittenStill =
+    1e-3;  // slide of held feet as a file's decimals give it [m/s]; measured: 4e-4, of legs that may not stretch
 
 /// A walk whose pelvis moves to and fro.
 Motion sliding_walk() {
@@ -96,14 +97,28 @@ TEST_F(CleanCommand, TakesFootplantsFromATable) {
   EXPECT_EQ(read_file(here_.file("out.bvh")), with_table);
 }
 
+TEST_F(CleanCommand, TakesTheTableOfStrutFootplants) {
+  const ProgramResult listed = here_.run(STRUT_PROGRAM, {"footplants", "@walk.bvh", "--csv"});
+  ASSERT_EQ(listed.exit_code, 0) << listed.err;
+  write_file(here_.file("plants.csv"), listed.out);
+  const ProgramResult result = clean({"--footplants", "@plants.csv"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_LT(slide_of("out.bvh", plants()), kWrittenStill);
+}
+
+TEST_F(CleanCommand, TakesTheFeetItIsTold) {
+  ASSERT_EQ(clean({"--feet", "LeftFoot,RightFoot"}).exit_code, 0);
+  EXPECT_THAT(clean({"--feet", "Nose,RightFoot", "--force"}).err, HasSubstr("--feet"));
+}
+
 TEST_F(CleanCommand, RefusesTablesThatDoNotFitTheClip) {
-  for (const auto& [rows, message] :
-       std::vector<std::pair<std::string, std::string>>{{"other.bvh,left,0,10\n", "no footplants of"},
-                                                        {"walk.bvh,middle,0,10\n", "expected left or right"},
-                                                        {"walk.bvh,left,0,1000\n", "frames 0 to 1000 are not inside"},
-                                                        {"walk.bvh,left,5,5\n", "frames 5 to 5 are not inside"},
-                                                        {"walk.bvh,left,1e99,2e99\n", "expected a frame number"},
-                                                        {"walk.bvh,left,0.5,10\n", "expected a frame number"}}) {
+  for (const auto& [rows, message] : std::vector<std::pair<std::string, std::string>>{
+           {"other.bvh,left,0,10\n", "no footplants of"},
+           {"walk.bvh,middle,0,10\n", "plants.csv:2:10: error: expected left or right, found 'middle'"},
+           {"walk.bvh,left,0,1000\n", "expected a frame from 1 to 90, found 1000"},
+           {"walk.bvh,left,5,5\n", "expected a frame from 6 to 90, found 5"},
+           {"walk.bvh,left,1e99,2e99\n", "expected a frame from 0 to 89"},
+           {"walk.bvh,left,0.5,10\n", "expected a frame from 0 to 89, found 0.5"}}) {
     write_file(here_.file("plants.csv"), "clip,foot,begin,end\n" + rows, Overwrite::kAllow);
     const ProgramResult result = clean({"--footplants", "@plants.csv"});
     EXPECT_EQ(result.exit_code, 3) << rows;
