@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Footskate cleanup on generated walks, of which footplants are known exactly and in which feet slide by as much as a
 // test adds.
-#include "support/allocations.h"
+#include "sliding_walk.h"
 
 #include <algorithm>
 #include <array>
@@ -35,37 +35,6 @@ constexpr double kSharpest = 1.5;   // accelerations against the 99th percentile
 constexpr double kUnit = 1e-9;      // rotations stay of unit length
 constexpr double kRounding = 1e-9;  // of positions in the world [m]
 
-using Flags = std::vector<std::array<bool, 2>>;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-/// The pelvis moves to and fro along the ground once a second, as where root and legs are predicted apart.
-Motion sliding(const Motion& clip, double amplitude) {
-  std::vector<Pose> frames = clip.frames();
-  for (std::size_t t = 0; t < frames.size(); ++t) {
-    const double angle = 2.0 * std::numbers::pi * static_cast<double>(t) / clip.frame_rate();
-    frames[t].translations[0] += amplitude * Vector3d(std::sin(angle), 0.0, std::cos(angle));
-  }
-  return {clip.shared_skeleton(), clip.frame_rate(), std::move(frames)};
-}
-
-struct Sliding {
-  explicit Sliding(double amplitude, double frame_rate = 60.0, double speed = 1.3)
-      : walk(generate::generate_walk({.duration = 5.0, .speed = speed}, {}, frame_rate)),
-        clip(sliding(walk.motion, amplitude)),
-        legs(motion::find_legs(clip).value()) {}
-
-  [[nodiscard]] Motion cleaned(const FootskateOptions& options = {}) const {
-    return clean_footskate(clip, legs, walk.footplants, options);
-  }
-
-  generate::Walk walk;
-  Motion clip;
-  motion::Legs legs;
-};
-
 std::vector<Vector3d> toes(const Motion& clip, const motion::Leg& leg) {
   std::vector<Vector3d> path;
   for (const Pose& pose : clip.frames()) {
@@ -87,15 +56,6 @@ double greatest_slip(const Motion& clip, const motion::Legs& legs, const std::ve
   return greatest;
 }
 
-double greatest_distance(const Motion& a, const Motion& b) {
-  const auto x = motion::joint_positions_world(a), y = motion::joint_positions_world(b);
-  double greatest = 0.0;
-  for (std::size_t f = 0; f < x.size(); ++f) {
-    for (std::size_t j = 0; j < x[f].size(); ++j) greatest = std::max(greatest, (x[f][j] - y[f][j]).norm());
-  }
-  return greatest;
-}
-
 /// Angular accelerations of a joint in its parent's frame, ascending [rad/s^2].
 std::vector<double> accelerations(const Motion& clip, int joint) {
   std::vector<double> found;
@@ -107,29 +67,6 @@ std::vector<double> accelerations(const Motion& clip, int joint) {
   }
   std::sort(found.begin(), found.end());
   return found;
-}
-
-Flags flags_of(const std::vector<Footplant>& plants, int num_frames) {
-  Flags flags(at(num_frames));
-  for (const Footplant& plant : plants) {
-    for (int f = plant.begin; f < plant.end; ++f) flags[at(f)][at(plant.foot)] = true;
-  }
-  return flags;
-}
-
-/// As a motion: that rounds rotations to unit length once more, as it does in clean_footskate.
-std::vector<Pose> streamed(FootskateCleaner& cleaner, const Motion& clip, const Flags& flags) {
-  std::vector<Pose> cleaned;
-  Pose pose;
-  for (int f = 0; f < clip.num_frames(); ++f) {
-    if (cleaner.push(clip.frame(f), flags[at(f)], pose)) cleaned.push_back(pose);
-  }
-  while (cleaner.flush(pose)) cleaned.push_back(pose);
-  return Motion(clip.shared_skeleton(), clip.frame_rate(), std::move(cleaned)).frames();
-}
-
-std::vector<Footplant> always(int num_frames) {
-  return {{0, 0, num_frames}, {1, 0, num_frames}};
 }
 
 /// The clip with the toe joints cut off; the ankles keep an end site where `with_tip`.
@@ -355,85 +292,6 @@ TEST(Footskate, AlternatingFlagsDoNoHarm) {
   EXPECT_LT(greatest_distance(cleaned, sliding.clip), 0.5);
 }
 
-// ---- streams --------------------------------------------------------------------------------------------------------
-
-TEST(FootskateCleaner, AStreamEqualsTheClipToTheBit) {
-  const Sliding sliding(0.02, 30.0);
-  FootskateCleaner cleaner(sliding.clip.shared_skeleton(), sliding.legs, 30.0);
-  const Flags flags = flags_of(sliding.walk.footplants, sliding.clip.num_frames());
-  EXPECT_TRUE(streamed(cleaner, sliding.clip, flags) == sliding.cleaned().frames());
-}
-
-TEST(FootskateCleaner, ComesAsLateAsItSays) {
-  const Sliding sliding(0.0, 30.0);
-  FootskateCleaner cleaner(sliding.clip.shared_skeleton(), sliding.legs, 30.0, {.look_ahead = 0.2});
-  EXPECT_EQ(cleaner.look_ahead(), 6);
-  Pose pose;
-  for (int f = 0; f < 20; ++f) {
-    ASSERT_EQ(cleaner.push(sliding.clip.frame(f), {false, false}, pose), f >= 6) << f;
-    if (f >= 6) {
-      EXPECT_TRUE(pose == sliding.clip.frame(f - 6));
-    }
-  }
-  for (int f = 14; f < 20; ++f) {
-    ASSERT_TRUE(cleaner.flush(pose));
-    EXPECT_TRUE(pose == sliding.clip.frame(f));
-  }
-  EXPECT_FALSE(cleaner.flush(pose));
-  EXPECT_FALSE(cleaner.flush(pose));
-}
-
-TEST(FootskateCleaner, GivesShortStreamsBackWhole) {
-  const Sliding sliding(0.02, 30.0);
-  for (const int length : {0, 1, 2, 5}) {
-    const Motion clip = sliding.clip.slice(0, length);
-    EXPECT_EQ(clean_footskate(clip, sliding.legs, always(length)).num_frames(), length);
-  }
-}
-
-TEST(FootskateCleaner, BeginsAnewAfterResetAndAfterFlush) {
-  const Sliding sliding(0.02, 30.0);
-  const Flags flags = flags_of(sliding.walk.footplants, sliding.clip.num_frames());
-  FootskateCleaner cleaner(sliding.clip.shared_skeleton(), sliding.legs, 30.0);
-  const auto first = streamed(cleaner, sliding.clip, flags);
-  EXPECT_TRUE(streamed(cleaner, sliding.clip, flags) == first);  // after flush
-  Pose pose;
-  for (int f = 40; f < 70; ++f) cleaner.push(sliding.clip.frame(f), flags[at(f)], pose);
-  cleaner.reset();
-  EXPECT_TRUE(streamed(cleaner, sliding.clip, flags) == first);
-}
-
-TEST(FootskateCleaner, ACopyGoesOnByItself) {
-  const Sliding sliding(0.02, 30.0);
-  const Flags flags = flags_of(sliding.walk.footplants, sliding.clip.num_frames());
-  FootskateCleaner cleaner(sliding.clip.shared_skeleton(), sliding.legs, 30.0);
-  Pose pose, expected;
-  for (int f = 0; f < 60; ++f) cleaner.push(sliding.clip.frame(f), flags[at(f)], pose);
-  FootskateCleaner copy = cleaner;
-  for (int f = 0; f < 30; ++f) copy.push(sliding.clip.frame(f), {true, true}, pose);
-  copy = cleaner;
-  for (int f = 60; f < 90; ++f) {
-    cleaner.push(sliding.clip.frame(f), flags[at(f)], expected);
-    copy.push(sliding.clip.frame(f), flags[at(f)], pose);
-    ASSERT_TRUE(pose == expected) << f;
-  }
-}
-
-TEST(FootskateCleaner, AllocatesNothing) {
-  const Sliding sliding(0.02, 30.0);
-  const Flags flags = flags_of(sliding.walk.footplants, sliding.clip.num_frames());
-  FootskateCleaner cleaner(sliding.clip.shared_skeleton(), sliding.legs, 30.0);
-  Pose pose = sliding.clip.frame(0);
-  const auto run = [&] {
-    for (int f = 0; f < sliding.clip.num_frames(); ++f) cleaner.push(sliding.clip.frame(f), flags[at(f)], pose);
-    while (cleaner.flush(pose)) {
-    }
-    cleaner.reset();
-  };
-  EXPECT_EQ(test::count_allocations(run), 0);
-  EXPECT_GT(test::count_allocations([&] { const FootskateCleaner copy = cleaner; }), 0) << "the counter does not count";
-}
-
 // ---- legs that are broken -------------------------------------------------------------------------------------------
 
 void expect_sound(const Motion& cleaned) {
@@ -471,36 +329,6 @@ TEST(FootskateBrokenLegs, FeetThatJumpOutOfReach) {
   for (std::size_t f = 0; f < frames.size(); ++f) frames[f].translations[0].x() += f % 20 < 10 ? 0.0 : 50.0;
   const Motion jumping(sliding.clip.shared_skeleton(), 30.0, std::move(frames));
   expect_sound(clean_footskate(jumping, sliding.legs, sliding.walk.footplants));
-}
-
-// ---- what is refused ------------------------------------------------------------------------------------------------
-
-TEST(FootskateCleaner, RefusesWhatItCannotWorkWith) {
-  const Sliding sliding(0.0, 30.0);
-  const auto skeleton = sliding.clip.shared_skeleton();
-  EXPECT_THROW(FootskateCleaner(nullptr, sliding.legs, 30.0), InvalidArgument);
-  for (const double rate : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), 1.0}) {
-    EXPECT_THROW(FootskateCleaner(skeleton, sliding.legs, rate), InvalidArgument) << rate;
-  }
-  motion::Legs legs = sliding.legs;
-  legs.right.knee = legs.left.knee;
-  EXPECT_THROW(FootskateCleaner(skeleton, legs, 30.0), InvalidArgument);
-  legs.right = motion::Leg{};
-  EXPECT_THROW(FootskateCleaner(skeleton, legs, 30.0), InvalidArgument);
-}
-
-TEST(FootskateCleaner, RefusesOptionsOutOfRange) {
-  const Sliding sliding(0.0, 30.0);
-  for (const FootskateOptions& options : std::vector<FootskateOptions>{{.look_ahead = 0.05},
-                                                                       {.look_ahead = 3.0},
-                                                                       {.shortest_plant = -0.1},
-                                                                       {.shortest_gap = 0.6},
-                                                                       {.max_stretch = 0.2},
-                                                                       {.reach = 1.1},
-                                                                       {.body_follows = -1.0},
-                                                                       {.max_drag = 0.0}}) {
-    EXPECT_THROW(FootskateCleaner(sliding.clip.shared_skeleton(), sliding.legs, 30.0, options), InvalidArgument);
-  }
 }
 
 TEST(Footskate, RefusesFootplantsThatAreNotOfTheClip) {
