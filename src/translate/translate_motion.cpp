@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// warm up -> push frame by frame -> re-time.
+// warm up -> push frame by frame -> re-time -> hold the feet.
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include <strut/core/error.h>
 #include <strut/motion/resample.h>
+#include <strut/postprocess/footplant_detector.h>
 #include <strut/representation/representation.h>
 #include <strut/representation/retime.h>
 #include <strut/translate/translate_motion.h>
@@ -44,6 +45,15 @@ Motion retimed(const representation::Representation& style, const Motion& transl
   return representation::decode(style, rows, translated.frame_rate(), start, translated.shared_skeleton(), first);
 }
 
+/// With the whole clip at hand footplants are detected in it, rather than told from the model's states: they are then
+/// where the result has them after re-timing.
+Motion cleaned(const Motion& result, const postprocess::FootskateOptions& options, Diagnostics* diagnostics) {
+  const auto legs = motion::find_legs(result);
+  if (!legs) return result;
+  const auto plants = postprocess::detect_footplants(result, *legs);
+  return postprocess::clean_footskate(result, *legs, plants, options, diagnostics);
+}
+
 }  // namespace
 
 Motion translate_motion(const std::vector<std::shared_ptr<const StyleModel>>& models, const Motion& clip,
@@ -63,7 +73,8 @@ Motion translate_motion(const std::vector<std::shared_ptr<const StyleModel>>& mo
   Translation translation = translate_frames(translator, source, options.warm_up);
   const Motion translated(clip.shared_skeleton(), model.frame_rate(), std::move(translation.frames));
   const Motion result = options.retime ? retimed(model.output(), translated, translation.log_time_warp) : translated;
-  return motion::resample(result, clip.frame_rate());
+  const Motion at_own_rate = motion::resample(result, clip.frame_rate());
+  return options.clean_feet ? cleaned(at_own_rate, options.footskate, diagnostics) : at_own_rate;
 }
 
 Motion translate_motion(const std::shared_ptr<const StyleModel>& model, const Motion& clip,

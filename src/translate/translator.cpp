@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "translate/check_pose.h"
+#include "translate/feet.h"
 #include "translate/glide.h"
 #include "translate/style_mix.h"
 
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -119,11 +121,27 @@ template <typename Scalar>
 struct BasicTranslator<Scalar>::Stream {
   Stream(std::vector<std::shared_ptr<const StyleModel>> given, const TranslatorOptions& wanted);
 
-  void push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
+  bool push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
+  void translate(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
+  void tell_feet();
   void begin();
   void glide();
   void weigh_joints();
   void blend();
+  /// Memory for a pose in Scalar.
+  [[nodiscard]] PoseView<Scalar> converted() {
+    return {pose_rotations.data(), pose_translations.data(), models.front()->skeleton().num_joints()};
+  }
+  static void convert(const PoseView<const double>& from, const PoseView<Scalar>& to) {
+    const auto convert = [](double number) { return static_cast<Scalar>(number); };
+    std::transform(from.rotations, from.rotations + 4 * from.num_joints, to.rotations, convert);
+    std::transform(from.translations, from.translations + 3 * from.num_joints, to.translations, convert);
+  }
+  static void convert(const PoseView<const Scalar>& from, Pose& to) {
+    std::copy_n(from.rotations, 4 * from.num_joints, view(to).rotations);
+    std::copy_n(from.translations, 3 * from.num_joints, view(to).translations);
+    for (Eigen::Quaterniond& rotation : to.rotations) rotation.normalize();  // to the length that double asks for
+  }
   [[nodiscard]] double weight(std::size_t branch) const { return weights.value()[branch]; }
   template <typename Visit>
   void visit_state(Visit&& visit) {
@@ -143,6 +161,7 @@ struct BasicTranslator<Scalar>::Stream {
   translate::Glide weights;    // where they are
   translate::MixWeights<Scalar> mix_weights;
   representation::PoseDecoder<Scalar> decoder;
+  std::optional<translate::Feet> feet;
   bool started = false;
   std::array<Scalar, RowLayout::kRotations> root{};
   math::AlignedVector<Scalar> rotations;                          // blended, planes
@@ -182,6 +201,7 @@ BasicTranslator<Scalar>::Stream::Stream(std::vector<std::shared_ptr<const StyleM
       weights(shares, wanted.glide * models.front()->frame_rate()),
       decoder(models.front()->output(), models.front()->frame_rate()) {
   for (const auto& model : models) branches.emplace_back(model, options.generalization.fade);
+  if (options.clean_feet) feet.emplace(models, options.footskate);
   const int plane = branches.front().step.layout().plane();
   mix_weights.pose.resize(at(plane));
   mix_weights.movement.resize(at(plane));
@@ -192,7 +212,25 @@ BasicTranslator<Scalar>::Stream::Stream(std::vector<std::shared_ptr<const StyleM
 }
 
 template <typename Scalar>
-void BasicTranslator<Scalar>::Stream::push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
+bool BasicTranslator<Scalar>::Stream::push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
+  translate(input, output);
+  if (!feet) return true;
+  tell_feet();
+  return feet->push<Scalar>(output, output);
+}
+
+/// Which feet are planted, by the models' states; where input passes through, nobody can tell.
+template <typename Scalar>
+void BasicTranslator<Scalar>::Stream::tell_feet() {
+  feet->begin();
+  for (std::size_t b = 0; b < branches.size(); ++b) {
+    branches[b].step.state(feet->state(b));
+    feet->vote(b, weight(b) * (1.0 - branches[b].share.value().front()));
+  }
+}
+
+template <typename Scalar>
+void BasicTranslator<Scalar>::Stream::translate(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
   for (Branch<Scalar>& branch : branches) branch.encoder.encode(input, branch.input.data());
   if (!started) begin();
   glide();
@@ -297,15 +335,15 @@ BasicTranslator<Scalar>& BasicTranslator<Scalar>::operator=(BasicTranslator othe
 }
 
 template <typename Scalar>
-void BasicTranslator<Scalar>::push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
+bool BasicTranslator<Scalar>::push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
   const int joints = model().skeleton().num_joints();
   translate::check_num_joints("output", output.num_joints, joints);
   translate::check_pose(input, joints);
-  stream_->push(input, output);
+  return stream_->push(input, output);
 }
 
 template <typename Scalar>
-void BasicTranslator<Scalar>::push(const Pose& input, Pose& output) {
+bool BasicTranslator<Scalar>::push(const Pose& input, Pose& output) {
   const auto joints = static_cast<std::size_t>(model().skeleton().num_joints());
   for (const std::size_t size : {input.rotations.size(), input.translations.size()}) {
     translate::check_num_joints("input", static_cast<int>(size), static_cast<int>(joints));
@@ -313,19 +351,38 @@ void BasicTranslator<Scalar>::push(const Pose& input, Pose& output) {
   output.rotations.resize(joints);
   output.translations.resize(joints);
   if constexpr (std::is_same_v<Scalar, double>) {
-    push(view(input), view(output));
+    return push(view(input), view(output));
   } else {
-    const PoseView<const double> from = view(input);
-    const PoseView<double> to = view(output);
-    const PoseView<Scalar> converted{stream_->pose_rotations.data(), stream_->pose_translations.data(),
-                                     static_cast<int>(joints)};
-    const auto to_scalar = [](auto number) { return static_cast<Scalar>(number); };
-    std::transform(from.rotations, from.rotations + 4 * joints, converted.rotations, to_scalar);
-    std::transform(from.translations, from.translations + 3 * joints, converted.translations, to_scalar);
-    push(converted, converted);
-    std::copy_n(converted.rotations, 4 * joints, to.rotations);
-    std::copy_n(converted.translations, 3 * joints, to.translations);
-    for (Eigen::Quaterniond& rotation : output.rotations) rotation.normalize();  // to the length that double asks for
+    const PoseView<Scalar> converted = stream_->converted();
+    stream_->convert(view(input), converted);
+    if (!push(converted, converted)) return false;
+    stream_->convert(converted, output);
+    return true;
+  }
+}
+
+template <typename Scalar>
+int BasicTranslator<Scalar>::latency() const noexcept {
+  return stream_->feet ? stream_->feet->latency() : 0;
+}
+
+template <typename Scalar>
+bool BasicTranslator<Scalar>::flush(const PoseView<Scalar>& output) {
+  translate::check_num_joints("output", output.num_joints, model().skeleton().num_joints());
+  return stream_->feet && stream_->feet->flush(output);
+}
+
+template <typename Scalar>
+bool BasicTranslator<Scalar>::flush(Pose& output) {
+  output.rotations.resize(at(model().skeleton().num_joints()));
+  output.translations.resize(output.rotations.size());
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return flush(view(output));
+  } else {
+    const PoseView<Scalar> converted = stream_->converted();
+    if (!flush(converted)) return false;
+    stream_->convert(converted, output);
+    return true;
   }
 }
 
@@ -370,6 +427,7 @@ void BasicTranslator<Scalar>::reset() {
     branch.encoder.reset();
     branch.has_opening = false;
   }
+  if (stream_->feet) stream_->feet->reset();
   stream_->started = false;
 }
 
@@ -383,6 +441,7 @@ void BasicTranslator<Scalar>::restore(const BasicTranslator& snapshot) {
 
 template <typename Scalar>
 std::size_t BasicTranslator<Scalar>::state_size() const {
+  if (stream_->feet) throw InvalidArgument("clean_feet", "false where states are kept as bytes", "true");
   std::size_t size = 0;
   stream_->visit_state([&size](auto* first, std::size_t count) { size += count * sizeof(*first); });
   return size;

@@ -9,6 +9,7 @@
 #include <strut/core/diagnostics.h>
 #include <strut/model/style_model.h>
 #include <strut/motion/motion.h>
+#include <strut/postprocess/footskate.h>
 #include <strut/postprocess/generalization.h>
 #include <strut/translate/controls.h>
 
@@ -17,15 +18,18 @@ namespace strut {
 struct TranslateOptions {
   TranslatorControls controls{};
   postprocess::GeneralizationOptions generalization{};
-  bool retime = true;  ///< apply the style's timing; false keeps the input's
+  bool retime = true;      ///< apply the style's timing; false keeps the input's
+  bool clean_feet = true;  ///< hold the planted feet of the result (postprocess/footskate.h), which are detected in it
+  postprocess::FootskateOptions footskate{};  ///< how, if so
   double warm_up =
       0.3;  ///< run the model over this much backward extrapolation first [s], 0 to 60; 0 starts from x0 = 0
 };
 
 /// The clip in the output style of `models` (one, or several that are blended), at the clip's own frame rate, starting
-/// where the clip starts, with the clip's bones. A clip of another frame rate is resampled for the model and back.
-/// Throws SkeletonMismatch, naming joints, if the hierarchy is not the model's; InvalidArgument if the clip has fewer
-/// than two frames or an option is out of range. Cost O(frames x joints).
+/// where the clip starts, with the clip's bones (legs may stretch, FootskateOptions::max_stretch). A clip of another
+/// frame rate is resampled for the model and back. Throws SkeletonMismatch, naming joints, if the hierarchy is not the
+/// model's; InvalidArgument if the clip has fewer than two frames or an option is out of range. Cost O(frames x
+/// joints).
 Motion translate_motion(const std::vector<std::shared_ptr<const StyleModel>>& models, const Motion& clip,
                         const TranslateOptions& options = {}, Diagnostics* diagnostics = nullptr);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <strut/motion/pose_view.h>
+#include <strut/postprocess/footskate.h>
 #include <strut/postprocess/generalization.h>
 #include <strut/translate/controls.h>
 
@@ -19,6 +20,9 @@ class StyleModel;
 struct TranslatorOptions {
   TranslatorControls controls{};                        ///< what the controls are at first
   postprocess::GeneralizationOptions generalization{};  ///< of input that is unlike the examples
+  bool clean_feet =
+      false;  ///< hold planted feet (postprocess/footskate.h), told from the models' states; costs latency
+  postprocess::FootskateOptions footskate{};  ///< how, if so
   double glide = 0.08;  ///< reach of the smoothing of controls that are moved [s], 0 or more: most of it is done in
                         ///< four times that
 };
@@ -29,8 +33,9 @@ template <typename Scalar>
 class BasicTranslator {
  public:
   /// One model, or several that are blended (TranslatorControls::weights): of one hierarchy and frame rate.
-  /// Throws InvalidArgument if there is no model, one is null, their rates differ, or an option is out of range;
-  /// SkeletonMismatch if their hierarchies differ.
+  /// Throws InvalidArgument if there is no model, one is null, their rates differ, or an option is out of range, or if
+  /// feet are to be cleaned and a model has no footplants or its body no legs; SkeletonMismatch if their hierarchies
+  /// differ.
   explicit BasicTranslator(std::shared_ptr<const StyleModel> model, const TranslatorOptions& options = {});
   explicit BasicTranslator(std::vector<std::shared_ptr<const StyleModel>> models,
                            const TranslatorOptions& options = {});
@@ -40,14 +45,24 @@ class BasicTranslator {
   ~BasicTranslator();
 
   /// Translates the next frame; the frames are model().frame_rate() apart. The first output stands where the first
-  /// input stands; bones are the input's. No latency, no lock, no allocation. `output` may be `input`.
+  /// input stands; bones are the input's. No lock, no allocation. `output` may be `input`.
+  /// Gives whether a frame was written: the one of latency() pushes ago, so none at the first latency() pushes.
   /// Throws InvalidArgument, before anything changes, if either has another number of joints, or `input` a number that
   /// is not finite, a translation of 10,000 km or a rotation that is not of unit length (within 1e-3).
   /// Cost: docs/performance.md.
-  void push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
+  bool push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
 
   /// The same for poses, converted where Scalar is float; allocates only if `output` has another size.
-  void push(const Pose& input, Pose& output);
+  bool push(const Pose& input, Pose& output);
+
+  /// How many frames the output lags behind: constant, 0 unless feet are cleaned (FootskateOptions::look_ahead).
+  [[nodiscard]] int latency() const noexcept;
+
+  /// After the last push: writes the next of the latency() frames that are still to come; false when there are no more.
+  /// A push afterwards begins a new stream for the feet. Throws InvalidArgument if `output` has another number of
+  /// joints.
+  bool flush(const PoseView<Scalar>& output);
+  bool flush(Pose& output);
 
   /// Runs the model over what may have come before a stream that is about to begin with `opening`, in time backwards
   /// from it (representation/extrapolation.h), so that the first frames are usable. `opening`: the first frames, two or
@@ -75,6 +90,7 @@ class BasicTranslator {
 
   /// The state alone, as bytes that mean something to translators of the same models and options on this machine:
   /// everything that pushed frames and moved controls leave behind. To keep many characters apart in little memory.
+  /// Throws InvalidArgument where feet are cleaned: that keeps whole poses; copy the translator instead.
   [[nodiscard]] std::size_t state_size() const;
   /// Writes state_size() bytes. No allocation.
   void save_state(std::byte* bytes) const;
