@@ -65,16 +65,6 @@ std::vector<motion::Footplant> footplants_of(const std::string& path, const std:
   return plants;
 }
 
-/// Bones can stretch in a file only where their joints have position channels.
-bool holds_stretch(const BvhLayout& layout, const motion::Legs& legs) {
-  for (const int foot : {0, 1}) {
-    for (const int joint : {legs.foot(foot).knee, legs.foot(foot).ankle}) {
-      if (layout.channels[static_cast<std::size_t>(joint)].size() < 6) return false;
-    }
-  }
-  return true;
-}
-
 /// Where something is greatest in a clip.
 struct Greatest {
   double value = 0.0;

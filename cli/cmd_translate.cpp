@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // strut translate: puts a learnt style on a clip.
 #include "commands.h"
+#include "feet_options.h"
 #include "input_files.h"
 #include "style_options.h"
 #include "terminal.h"
@@ -22,7 +23,7 @@ namespace {
 struct TranslateArguments {
   StyleArguments style;
   std::string clip, output;
-  bool retime = true;
+  bool retime = true, clean_feet = true;
   double warm_up = TranslateOptions{}.warm_up;
   bool keep_layout = false, force = false;
 };
@@ -39,16 +40,19 @@ void run(const TranslateArguments& arguments) {
   check_output(arguments.output, inputs, overwrite_if(arguments.force));
   PrintedDiagnostics diagnostics;
   const auto models = read_models(arguments.style);
-  const TranslateOptions options{.controls = arguments.style.controls,
-                                 .generalization = arguments.style.generalization,
-                                 .retime = arguments.retime,
-                                 .warm_up = arguments.warm_up};
   const BvhClip clip = read_bvh(arguments.clip, {}, &diagnostics);
+  const BvhLayout layout =
+      arguments.keep_layout ? clip.layout : default_layout(clip.motion.skeleton(), clip.layout.unit, clip.layout.up);
+  TranslateOptions options{.controls = arguments.style.controls,
+                           .generalization = arguments.style.generalization,
+                           .retime = arguments.retime,
+                           .clean_feet = arguments.clean_feet,
+                           .warm_up = arguments.warm_up};
+  const auto legs = motion::find_legs(clip.motion);
+  if (!legs || !holds_stretch(layout, *legs)) options.footskate.max_stretch = 0.0;
   try {
     const Motion result =
         naming_the_file(arguments.clip, [&] { return translate_motion(models, clip.motion, options, &diagnostics); });
-    const BvhLayout layout =
-        arguments.keep_layout ? clip.layout : default_layout(result.skeleton(), clip.layout.unit, clip.layout.up);
     write_bvh(arguments.output, result, layout, overwrite_if(arguments.force), &diagnostics);
     fmt::print("{}: {} frames, {:.2f} s (input {:.2f} s)\n", arguments.output, result.num_frames(), result.duration(),
                clip.motion.duration());
@@ -67,6 +71,8 @@ void add_translate(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "BVH file to write")->required();
   command->add_flag_callback(
       "--no-retime", [arguments] { arguments->retime = false; }, "Keep the input's timing, frame for frame");
+  command->add_flag_callback(
+      "--no-clean-feet", [arguments] { arguments->clean_feet = false; }, "Let planted feet slide as they come out");
   command->add_option("--warm-up", arguments->warm_up, "Seconds of motion extrapolated before the clip, 0 for none")
       ->check(number_in(0.0, 60.0))
       ->capture_default_str();

@@ -48,4 +48,13 @@ motion::Legs legs_of(const std::string& path, const Motion& clip, const FeetOpti
   }
 }
 
+bool holds_stretch(const BvhLayout& layout, const motion::Legs& legs) {
+  for (const int foot : {0, 1}) {
+    for (const int joint : {legs.foot(foot).knee, legs.foot(foot).ankle}) {
+      if (layout.channels[static_cast<std::size_t>(joint)].size() < 6) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace strut::cli

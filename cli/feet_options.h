@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <strut/io/bvh.h>
 #include <strut/motion/legs.h>
 #include <strut/motion/motion.h>
 
@@ -22,5 +23,8 @@ void add_feet_option(CLI::App& command, FeetOptions& feet);
 /// The legs of the body in the clip at `path`: those with the feet named, else those found. Throws BadInput, naming the
 /// file, if there are none such.
 motion::Legs legs_of(const std::string& path, const Motion& clip, const FeetOptions& feet);
+
+/// Whether legs can stretch in a file of this layout: only where knees and ankles have position channels.
+bool holds_stretch(const BvhLayout& layout, const motion::Legs& legs);
 
 }  // namespace strut::cli

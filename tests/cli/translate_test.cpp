@@ -12,9 +12,12 @@
 
 #include <strut/core/file.h>
 #include <strut/io/bvh.h>
+#include <strut/metrics/foot_slide.h>
 #include <strut/model/style_model_io.h>
 #include <strut/motion/body_parts.h>
+#include <strut/motion/legs.h>
 #include <strut/motion/resample.h>
+#include <strut/postprocess/footplant_detector.h>
 
 namespace strut::test {
 namespace {
@@ -32,7 +35,7 @@ class TranslateCommand : public testing::Test {
   }
   /// What comes out with the exaggerating model, in the input's time.
   Motion styled(std::vector<std::string> options) {
-    options.insert(options.end(), {"--no-retime", "--no-generalization", "--force"});
+    options.insert(options.end(), {"--no-retime", "--no-generalization", "--no-clean-feet", "--force"});
     const ProgramResult result = translate(options, "@walk.bvh", "@style.strut");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return read_bvh(here_.file("out.bvh")).motion;
@@ -135,6 +138,19 @@ TEST_F(TranslateCommand, GivesTheInputWhereNothingOfTheStyleIsAskedFor) {
            {"--strength", "0"}, {"--pose", "0", "--movement", "0"}, parts, {"--blend", "@copy.strut=1"}}) {
     EXPECT_LT(largest_difference(styled(options), input), kPrinted) << options[0];
   }
+}
+
+TEST_F(TranslateCommand, HoldsFeetUnlessToldNotTo) {
+  const auto slide = [this](const std::vector<std::string>& options) {
+    const ProgramResult result = translate(options, "@walk.bvh", "@style.strut");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const Motion motion = read_bvh(here_.file("out.bvh")).motion;
+    const auto plants = postprocess::detect_footplants(motion, motion::find_legs(motion).value());
+    return metrics::foot_slide(metrics::body_track(motion, motion.frame_rate()), plants).speed;
+  };
+  const double uncleaned = slide({"--force", "--no-clean-feet"});
+  EXPECT_GT(uncleaned, 0.02);                      // [m/s]
+  EXPECT_LT(slide({"--force"}), 0.2 * uncleaned);  // bones cannot stretch in a file without their positions
 }
 
 TEST_F(TranslateCommand, PutsPoseMovementPartsAndBlendsOnApart) {
