@@ -6,6 +6,11 @@
 
 namespace strut::cli {
 
+void refuse_clip(const std::string& path, const SkeletonMismatch& error) {
+  throw SkeletonMismatch(path + ": error: " + error.what(),
+                         "translate motion of the character the style was learnt on");
+}
+
 void check_same_skeleton(const std::string& path, const Skeleton& skeleton, const std::string& reference_path,
                          const Skeleton& reference) {
   const std::string mismatch = describe_mismatch(reference, skeleton);

@@ -29,6 +29,9 @@ auto naming_the_file(const std::string& path, Work work) {
   }
 }
 
+/// Passes `error` on as one of the clip at `path`: that a model does not fit is the clip's fault in a person's eyes.
+[[noreturn]] void refuse_clip(const std::string& path, const SkeletonMismatch& error);
+
 /// Throws SkeletonMismatch, naming both files, if `skeleton` has other joints than `reference`.
 void check_same_skeleton(const std::string& path, const Skeleton& skeleton, const std::string& reference_path,
                          const Skeleton& reference);

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::set<std::string> kSurfaces = {"cli", "bench", "tests", "examples"};
-const std::set<std::string> kSystemHeaders = {"fcntl.h", "unistd.h", "sys", "signal.h"};
+const std::set<std::string> kSystemHeaders = {"fcntl.h", "poll.h", "signal.h", "spawn.h", "sys", "unistd.h"};
 /// Headers made at build time, and the folder they belong to.
 const std::map<std::string, std::string> kGenerated = {
     {"style_model_generated.h", "model"}, {"strut_version.h", "core"}, {"demo_page_template.h", "cli"}};
