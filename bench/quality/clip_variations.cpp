@@ -56,11 +56,12 @@ double presence(double time, double begin, double end) {
 }
 
 /// The middle third, and the ramps before and after it.
-VariedClip changed_in_the_middle(const Motion& clip, const std::function<void(Pose&, double)>& change) {
+VariedClip changed_in_the_middle(const Motion& clip, const std::function<void(Pose&, double, int)>& change) {
   const int third = clip.num_frames() / 3;
   const FrameRange full{third, clip.num_frames() - third};
   const double begin = full.begin / clip.frame_rate() - kRamp, end = (full.end - 1) / clip.frame_rate() + kRamp;
-  return {changed(clip, [&](Pose& pose, int t) { change(pose, presence(t / clip.frame_rate(), begin, end)); }), full};
+  return {changed(clip, [&](Pose& pose, int t) { change(pose, presence(t / clip.frame_rate(), begin, end), t); }),
+          full};
 }
 
 Quaterniond parent_rotation(const Skeleton& skeleton, const WorldPose& world, int joint) {
@@ -168,7 +169,7 @@ VariedClip bent(const Motion& clip, int joint, Direction direction, double ampli
 VariedClip raised(const Motion& clip, int joint, double angle) {
   const motion::Legs legs = legs_of(clip);
   const Skeleton& skeleton = clip.skeleton();
-  return changed_in_the_middle(clip, [&](Pose& pose, double presence) {
+  return changed_in_the_middle(clip, [&](Pose& pose, double presence, int /*frame*/) {
     const WorldPose world = motion::forward_kinematics(skeleton, pose);
     const Quaterniond facing = math::rotation_about_y(motion::facing(legs, world));
     const Vector3d from_pelvis = world.positions[at(joint)] - world.positions[at(skeleton.pelvis())];
@@ -182,12 +183,25 @@ VariedClip ducked(const Motion& clip, double share) {
   const Skeleton& skeleton = clip.skeleton();
   const double leg_length =
       skeleton.joint(legs.left.knee).offset.norm() + skeleton.joint(legs.left.ankle).offset.norm();
-  return changed_in_the_middle(clip, [&](Pose& pose, double presence) {
+  return changed_in_the_middle(clip, [&](Pose& pose, double presence, int /*frame*/) {
     const WorldPose before = motion::forward_kinematics(skeleton, pose);
     const Vector3d down(0.0, -presence * share * leg_length, 0.0);
     pose.translations[at(skeleton.pelvis())] += parent_rotation(skeleton, before, skeleton.pelvis()).conjugate() * down;
     const Vector3d to_right = math::rotation_about_y(motion::facing(legs, before)) * -Vector3d::UnitX();
     for (const motion::Leg* leg : {&legs.left, &legs.right}) reach(skeleton, *leg, before, to_right, pose);
+  });
+}
+
+VariedClip replaced(const Motion& clip, const Motion& other) {
+  if (other.num_frames() != clip.num_frames() || other.skeleton().num_joints() != clip.skeleton().num_joints()) {
+    throw InvalidArgument("other", "a clip of as many frames and joints", "another");
+  }
+  return changed_in_the_middle(clip, [&](Pose& pose, double presence, int frame) {
+    const Pose& there = other.frame(frame);
+    for (std::size_t j = 0; j < pose.rotations.size(); ++j) {
+      pose.rotations[j] = pose.rotations[j].slerp(presence, there.rotations[j]).normalized();
+      pose.translations[j] += presence * (there.translations[j] - pose.translations[j]);
+    }
   });
 }
 

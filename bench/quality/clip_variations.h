@@ -34,6 +34,9 @@ VariedClip raised(const Motion& clip, int joint, double angle);
 /// were. Throws InvalidArgument for a body without legs.
 VariedClip ducked(const Motion& clip, double share);
 
+/// The poses of `other` in the clip's middle third. Throws InvalidArgument unless it has as many frames and joints.
+VariedClip replaced(const Motion& clip, const Motion& other);
+
 /// The clip slowed down to a halt at its middle, standing still for `seconds`, and going on.
 VariedClip halted(const Motion& clip, double seconds);
 

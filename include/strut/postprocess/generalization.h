@@ -12,9 +12,9 @@ namespace strut::postprocess {
 /// The paper's two parameters. docs/generalization.md plots them.
 struct GeneralizationOptions {
   bool enabled = true;
-  double confidence = 4.0;  ///< k_c, above 0: how far from the examples translation is trusted [deviations]
-  double preference = 8.0;  ///< k_p, above 0: how strongly doubtful input is translated rather than passed through
-  double fade = 0.1;        ///< reach of the smoothing of the blend over time [s], 0 or more
+  double confidence = 2.0;   ///< k_c, above 0: how far from the examples translation is trusted [deviations]
+  double preference = 40.0;  ///< k_p, above 0: how strongly doubtful input is translated rather than passed through
+  double fade = 0.1;         ///< reach of the smoothing of the blend over time [s], 0 or more
 };
 
 /// The share of the input, from 0 to 1, when a degree of freedom lies `deviation` standard deviations from the

@@ -37,8 +37,8 @@ class Normalization {
 double least_deviation(Eigen::Index dof);
 
 /// How far another performer of the same movement may be from the examples' mean in degree of freedom `dof` by body and
-/// posture alone: 8 degrees, 8 centimetres, a tenth of a metre per second, 0.2 radians per second [units of the dof].
-/// Recordings of one content differ by up to that in their mean posture (docs/generalization.md).
+/// posture alone: 12 degrees, 8 centimetres, a tenth of a metre per second, 0.2 radians per second [units of the dof].
+/// Recordings of one content differ by about that in their mean posture (docs/generalization.md).
 double performer_deviation(Eigen::Index dof);
 
 /// Mean and standard deviation over all rows of `signals` (each frames x dofs of representation.h). A degree of freedom
