@@ -239,25 +239,25 @@ void squared_distances(int rows, int cols, const T* __restrict matrix, const T* 
 
 template <typename T>
 inline const T* row_of_systems(int states, int inputs, const T* __restrict matrix, const T* __restrict state,
-                               const T* __restrict input, T* __restrict result) {
+                               const T* const* __restrict input, T* __restrict result) {
   T sums[kLanes] = {};
   for (int col = 0; col < states; ++col, matrix += kLanes) {
     for (int lane = 0; lane < kLanes; ++lane) sums[lane] += matrix[lane] * state[col * kLanes + lane];
   }
   for (int col = 0; col < inputs; ++col, matrix += kLanes) {
-    for (int lane = 0; lane < kLanes; ++lane) sums[lane] += matrix[lane] * input[col * kLanes + lane];
+    const T* __restrict lanes = input[col];
+    for (int lane = 0; lane < kLanes; ++lane) sums[lane] += matrix[lane] * lanes[lane];
   }
   for (int lane = 0; lane < kLanes; ++lane) result[lane] = sums[lane];
   return matrix;
 }
 
 template <typename T>
-void step_systems(int states, int inputs, int outputs, const T* __restrict matrix, const T* __restrict input,
-                  const T* __restrict state, T* __restrict next, T* __restrict output) {
+void step_systems(int states, int inputs, int outputs, const T* __restrict matrix, const T* const* __restrict input,
+                  const T* __restrict state, T* __restrict next, T* const* __restrict output) {
   for (int row = 0; row < states; ++row)
     matrix = row_of_systems(states, inputs, matrix, state, input, next + row * kLanes);
-  for (int row = 0; row < outputs; ++row)
-    matrix = row_of_systems(states, inputs, matrix, state, input, output + row * kLanes);
+  for (int row = 0; row < outputs; ++row) matrix = row_of_systems(states, inputs, matrix, state, input, output[row]);
 }
 
 template <typename T>

@@ -12,16 +12,19 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
+std::shared_ptr<const StyleModel> not_null(std::shared_ptr<const StyleModel> model) {
+  if (!model) throw InvalidArgument("model", "a style model", "null");
+  return model;
+}
+
 }  // namespace
 
 template <typename Scalar>
-ModelStep<Scalar>::ModelStep(std::shared_ptr<const StyleModel> model) : model_(std::move(model)) {
-  if (!model_) throw InvalidArgument("model", "a style model", "null");
-  packed_ = &model_->packed<Scalar>();
+ModelStep<Scalar>::ModelStep(std::shared_ptr<const StyleModel> model)
+    : model_(not_null(std::move(model))), packed_(&model_->packed<Scalar>()), scratch_(packed_->blocks) {
   const int slots = layout().num_slots();
   inputs_.resize(at(slots + packed_->context.num_rows()));
   state_.resize(at(packed_->blocks.state_size()));
-  scratch_.resize(at(packed_->blocks.scratch_size()));
   row_input_.resize(at(slots));
   row_output_.resize(at(slots));
   if (packed_->radial_map) radial_.emplace(*packed_, model_->frame_rate());
@@ -46,7 +49,7 @@ void ModelStep<Scalar>::step(const Scalar* input, Scalar* output) {
     return;
   }
   std::fill_n(output, slots, Scalar(0));
-  packed_->blocks.step(inputs_.data(), state_.data(), scratch_.data(), output);
+  packed_->blocks.step(inputs_.data(), state_.data(), scratch_, output);
   for (int slot = 0; slot < slots; ++slot) {
     output[slot] = packed_->output_mean[at(slot)] + packed_->output_scale[at(slot)] * output[slot];
   }
@@ -65,11 +68,8 @@ void ModelStep<Scalar>::state(Eigen::Ref<Eigen::VectorXd> state) const {
     for (int i = 0; i < radial_->num_features(); ++i) state[i] = static_cast<double>(radial_->features()[i]);
     return;
   }
-  Eigen::Index next = 0;
-  for (std::size_t block = 0; block < model_->blocks().size(); ++block) {
-    for (int i = 0; i < model_->blocks()[block].system.num_states(); ++i) {
-      state[next++] = static_cast<double>(packed_->blocks.state_of(state_.data(), static_cast<int>(block), i));
-    }
+  for (std::size_t i = 0; i < packed_->state_places.size(); ++i) {
+    state[static_cast<Eigen::Index>(i)] = static_cast<double>(state_[at(packed_->state_places[i])]);
   }
 }
 

@@ -116,6 +116,10 @@ PackedModel<Scalar>::PackedModel(const StyleModelParts& parts)
       output_scale(slots_of<Scalar>(layout, parts.output_scaling.scale())),
       context(columns_in_slots(layout, parts.context)),
       blocks(bank_of<Scalar>(parts, layout)) {
+  for (int block = 0; block < static_cast<int>(parts.blocks.size()); ++block) {
+    const int states = parts.blocks[at(block)].system.num_states();
+    for (int i = 0; i < states; ++i) state_places.push_back(blocks.place_of_state(block, i));
+  }
   if (parts.radial_map) radial_map.emplace(parts, layout);
 }
 

@@ -59,17 +59,16 @@ RadialStep<Scalar>::RadialStep(const PackedModel<Scalar>& model, double frame_ra
 template <typename Scalar>
 void RadialStep<Scalar>::step(const Scalar* input, const Scalar* context, Scalar* output) {
   newest_ = (newest_ + 1) % num_frames_;
-  std::fill(taken_.begin(), taken_.end(), Scalar(0));
-  if (started_) remember();
-  see(context);
-  look_up(false);
-  measure_details(input);
-  compare_details();
-  measure_what_stands_out();
+  if (started_) {
+    remember();
+  } else {
+    std::fill(taken_.begin(), taken_.end(), Scalar(0));
+  }
   see(context);
   look_up(true);
   measure_details(input);
   compare_details();
+  measure_what_stands_out();
   filter();
   started_ = true;
   for (int slot = 0; slot < model_->layout.num_slots(); ++slot) {

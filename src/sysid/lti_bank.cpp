@@ -59,6 +59,18 @@ std::vector<int> runs_of(const std::vector<int>& indices, IsFree is_free) {
   return runs;
 }
 
+template <typename Scalar>
+void gather(const int* indices, const Scalar* from, Scalar* lanes) {
+  for (int lane = 0; lane < kLanes; ++lane) lanes[lane] = indices[lane] >= 0 ? from[indices[lane]] : Scalar(0);
+}
+
+template <typename Scalar>
+void scatter(const int* indices, const Scalar* lanes, Scalar* to) {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (indices[lane] >= 0) to[indices[lane]] = lanes[lane];
+  }
+}
+
 }  // namespace
 
 template <typename Scalar>
@@ -80,7 +92,9 @@ LtiBank<Scalar>::LtiBank(const std::vector<BankedSystem>& systems, int input_siz
     groups_.push_back(make_group(systems, members));
     const Group& group = groups_.back();
     state_size_ += group.states * kLanes;
-    scratch_size_ = std::max(scratch_size_, (group.states + group.inputs + group.outputs) * kLanes);
+    most_inputs_ = std::max(most_inputs_, group.inputs);
+    most_outputs_ = std::max(most_outputs_, group.outputs);
+    most_numbers_ = std::max(most_numbers_, (group.states + group.inputs + group.outputs) * kLanes);
   }
 }
 
@@ -122,44 +136,33 @@ typename LtiBank<Scalar>::Group LtiBank<Scalar>::make_group(const std::vector<Ba
 }
 
 template <typename Scalar>
-void LtiBank<Scalar>::step(const Scalar* input, Scalar* state, Scalar* scratch, Scalar* output) const {
+void LtiBank<Scalar>::step(const Scalar* input, Scalar* state, Scratch& scratch, Scalar* output) const {
   const auto& kernels = math::vector_kernels<Scalar>();
   for (const Group& group : groups_) {
-    Scalar* next = scratch;
-    Scalar* gathered = next + group.states * kLanes;
-    Scalar* given = gathered + group.inputs * kLanes;
-    for (int row = 0; row < group.inputs; ++row) {
-      const int run = group.gather_from[at(row)];
-      if (run >= 0) {
-        std::copy(input + run, input + run + kLanes, gathered + row * kLanes);
-        continue;
-      }
-      for (int lane = 0; lane < kLanes; ++lane) {
-        const int index = group.gather[at(row * kLanes + lane)];
-        gathered[row * kLanes + lane] = index >= 0 ? input[index] : Scalar(0);
-      }
+    Scalar* next = scratch.numbers.data();
+    Scalar* beside = next + group.states * kLanes;  // lanes that do not stand together in the signals
+    const Scalar** from = scratch.inputs.data();
+    for (int row = 0; row < group.inputs; ++row, beside += kLanes) {
+      from[row] = group.gather_from[at(row)] >= 0 ? input + group.gather_from[at(row)] : beside;
+      if (from[row] == beside) gather(group.gather.data() + row * kLanes, input, beside);
+    }
+    Scalar** to = scratch.outputs.data();
+    for (int row = 0; row < group.outputs; ++row) {
+      to[row] = group.scatter_to[at(row)] >= 0 ? output + group.scatter_to[at(row)] : beside + row * kLanes;
     }
     Scalar* own = state + group.first_state;
-    kernels.step_systems(group.states, group.inputs, group.outputs, group.matrix.data(), gathered, own, next, given);
+    kernels.step_systems(group.states, group.inputs, group.outputs, group.matrix.data(), from, own, next, to);
     std::copy(next, next + group.states * kLanes, own);
     for (int row = 0; row < group.outputs; ++row) {
-      const int run = group.scatter_to[at(row)];
-      if (run >= 0) {
-        std::copy(given + row * kLanes, given + (row + 1) * kLanes, output + run);
-        continue;
-      }
-      for (int lane = 0; lane < kLanes; ++lane) {
-        const int index = group.scatter[at(row * kLanes + lane)];
-        if (index >= 0) output[index] = given[row * kLanes + lane];
-      }
+      if (group.scatter_to[at(row)] < 0) scatter(group.scatter.data() + row * kLanes, to[row], output);
     }
   }
 }
 
 template <typename Scalar>
-Scalar LtiBank<Scalar>::state_of(const Scalar* state, int system, int index) const {
+int LtiBank<Scalar>::place_of_state(int system, int index) const {
   const Place place = places_[at(system)];
-  return state[groups_[at(place.group)].first_state + index * kLanes + place.lane];
+  return groups_[at(place.group)].first_state + index * kLanes + place.lane;
 }
 
 template class LtiBank<float>;

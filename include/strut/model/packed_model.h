@@ -49,6 +49,7 @@ struct PackedModel {
   math::AlignedVector<Scalar> output_mean, output_scale;  ///< per slot
   math::TiledMatrix<Scalar> context;                      ///< contexts x slots
   sysid::LtiBank<Scalar> blocks;                          ///< from slots, then contexts, to slots
+  std::vector<int> state_places;                          ///< where the blocks' states, in order, stand in their bank's
   std::optional<PackedRadialMap<Scalar>> radial_map;      ///< in place of blocks
 };
 

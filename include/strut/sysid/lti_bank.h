@@ -27,15 +27,23 @@ class LtiBank {
 
   /// Numbers of a state, zero at rest. Filled-up lanes included.
   [[nodiscard]] int state_size() const noexcept { return state_size_; }
-  /// Numbers of the scratch memory that `step` wants.
-  [[nodiscard]] int scratch_size() const noexcept { return scratch_size_; }
+  /// Memory that `step` works in; it holds nothing from one step to the next.
+  struct Scratch {
+    explicit Scratch(const LtiBank& bank)
+        : numbers(static_cast<std::size_t>(bank.most_numbers_)),
+          inputs(static_cast<std::size_t>(bank.most_inputs_)),
+          outputs(static_cast<std::size_t>(bank.most_outputs_)) {}
+    math::AlignedVector<Scalar> numbers;
+    std::vector<const Scalar*> inputs;
+    std::vector<Scalar*> outputs;
+  };
 
   /// One step of every system: reads `input`, replaces `state` (state_size), writes the systems' elements of `output`,
   /// and zero to some that no system gives. No allocation. Cost: the sizes of all A, B, C, D, filled up to whole lanes.
-  void step(const Scalar* input, Scalar* state, Scalar* scratch, Scalar* output) const;
+  void step(const Scalar* input, Scalar* state, Scratch& scratch, Scalar* output) const;
 
-  /// State `index` of system `system` within `state`.
-  [[nodiscard]] Scalar state_of(const Scalar* state, int system, int index) const;
+  /// Where state `index` of system `system` stands within a bank's state.
+  [[nodiscard]] int place_of_state(int system, int index) const;
 
  private:
   /// kLanes systems of like shape, filled up to the largest.
@@ -57,7 +65,8 @@ class LtiBank {
   std::vector<bool> given_;  // per output, whether a system gives it
   std::vector<Group> groups_;
   std::vector<Place> places_;  // per system
-  int state_size_ = 0, scratch_size_ = 0;
+  int state_size_ = 0;
+  int most_inputs_ = 0, most_outputs_ = 0, most_numbers_ = 0;  // of a group, to be worked in
 };
 
 }  // namespace strut::sysid
