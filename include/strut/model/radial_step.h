@@ -33,7 +33,7 @@ class RadialStep {
   void visit_state(Visit&& visit) {
     visit(&started_, 1);
     visit(&newest_, 1);
-    for (Array* array : {&history_, &smoothed_, &smoothed_twice_, &slow_details_, &energy_}) {
+    for (Array* array : {&history_, &taken_, &smoothed_, &smoothed_twice_, &slow_details_, &energy_}) {
       visit(array->data(), array->size());
     }
   }
@@ -62,7 +62,7 @@ class RadialStep {
   int newest_ = 0;
   Array history_;                                      // frames x contexts, a ring
   Array features_, distances_, activations_, styles_;  // of the basis; both styles, normalized, at this frame
-  Array taken_;                                        // from the context, as detail that stands out
+  Array taken_;                                        // from the context, as detail that stood out a frame ago
   Array smoothed_, smoothed_twice_;                    // of the output style
   Array details_, slow_details_, standing_out_;        // per slot, in its units
   Array turned_;                                       // details of joints, in the output style's axes
