@@ -7,7 +7,7 @@
 
 namespace strut::test {
 
-/// How often `action` calls malloc, calloc, realloc or operator new, in this thread.
+/// How often `action` calls malloc, calloc, realloc or operator new (aligned or not), in this thread.
 int count_allocations(const std::function<void()>& action);
 
 }  // namespace strut::test
