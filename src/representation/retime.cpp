@@ -34,15 +34,13 @@ Eigen::VectorXd invert(const Eigen::VectorXd& times) {
 }  // namespace
 
 FrameMatrix retime(const Eigen::Ref<const FrameMatrix>& rows, const Eigen::Ref<const Eigen::VectorXd>& log_time_warp) {
-  // Twenty times slower or faster is beyond any style; a model that asks for it is out of its depth.
-  constexpr double kLargestLogWarp = 3.0;
   if (rows.rows() == 0) throw InvalidArgument("rows", "at least one frame", "none");
   if (rows.rows() != log_time_warp.size()) {
     throw InvalidArgument("log_time_warp", std::to_string(rows.rows()) + " elements",
                           std::to_string(log_time_warp.size()));
   }
   if (!log_time_warp.allFinite()) throw InvalidArgument("log_time_warp", "finite numbers", "NaN or infinity");
-  const Eigen::VectorXd warp = log_time_warp.cwiseMax(-kLargestLogWarp).cwiseMin(kLargestLogWarp).array().exp();
+  const Eigen::VectorXd warp = log_time_warp.cwiseMax(-kLargestLogTimeWarp).cwiseMin(kLargestLogTimeWarp).array().exp();
   return math::sample_rows(rows, invert(output_times(warp)));
 }
 

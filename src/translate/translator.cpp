@@ -17,6 +17,7 @@
 #include <strut/model/model_step.h>
 #include <strut/representation/extrapolation.h>
 #include <strut/representation/pose_encoder.h>
+#include <strut/representation/retime.h>
 #include <strut/translate/translator.h>
 
 namespace strut {
@@ -471,7 +472,7 @@ double BasicTranslator<Scalar>::time_warp() const {
   for (std::size_t b = 0; b < stream_->branches.size(); ++b) {
     log_time_warp += stream_->weight(b) * static_cast<double>(stream_->branches[b].mix.root()[RowLayout::kTimeWarp]);
   }
-  return std::exp(log_time_warp);
+  return std::exp(std::clamp(log_time_warp, -representation::kLargestLogTimeWarp, representation::kLargestLogTimeWarp));
 }
 
 template <typename Scalar>

@@ -9,6 +9,9 @@
 
 namespace strut::representation {
 
+/// Twenty times slower or faster is beyond any style; a model that asks for it is out of its depth, and gets no more.
+inline constexpr double kLargestLogTimeWarp = 3.0;
+
 /// `rows` (frames x dofs), frame i lasting exp(log_time_warp[i]) output frames -> rows at whole output frames, the
 /// first and last input frame's centres at the ends. Throws InvalidArgument if sizes differ, there is no frame, or a
 /// warp is not finite. Cost O((frames + output frames) x dofs).

@@ -75,7 +75,7 @@ class BasicTranslator {
   void set_controls(const TranslatorControls& controls);
   [[nodiscard]] const TranslatorControls& controls() const noexcept;
 
-  /// How long the latest frame lasts in the output style [frames], for callers that re-time by themselves.
+  /// How long the latest frame lasts in the output style [frames], 1/20 to 20, for callers that re-time by themselves.
   [[nodiscard]] double time_warp() const;
 
   /// How much of the input was blended into the latest frame because it is unlike the examples, 0 to 1.
