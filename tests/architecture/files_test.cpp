@@ -22,7 +22,7 @@ constexpr int kMaxLines = 500;     // above, a file wants splitting
 constexpr int kLicenceWithin = 2;  // lines: a script's first is its interpreter
 
 bool is_source(const fs::path& path) {
-  static const std::set<std::string> kExtensions = {".h", ".cpp", ".cmake", ".fbs", ".sh", ".py"};
+  static const std::set<std::string> kExtensions = {".h", ".cpp", ".c", ".cmake", ".fbs", ".sh", ".py"};
   return kExtensions.contains(path.extension().string()) || path.filename() == "CMakeLists.txt" ||
          path.filename() == "dev" || path == ".ci/run";
 }

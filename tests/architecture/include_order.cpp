@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::set<std::string> kSurfaces = {"cli", "bench", "tests", "examples"};
-const std::set<std::string> kSystemHeaders = {"fcntl.h", "poll.h", "signal.h", "spawn.h", "sys", "unistd.h"};
+const std::set<std::string> kSystemHeaders = {"fcntl.h",  "math.h",  "poll.h",   "signal.h", "spawn.h", "stddef.h",
+                                              "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys",     "unistd.h"};
 /// Headers made at build time, and the folder they belong to.
 const std::map<std::string, std::string> kGenerated = {
     {"style_model_generated.h", "model"}, {"strut_version.h", "core"}, {"demo_page_template.h", "cli"}};
@@ -114,7 +115,7 @@ class Checker {
 };
 
 bool is_source(const fs::path& path) {
-  return path.extension() == ".h" || path.extension() == ".cpp";
+  return path.extension() == ".h" || path.extension() == ".cpp" || path.extension() == ".c";
 }
 
 std::set<std::string> words(const std::string& text) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The library prints nothing and never ends the process: read off what its archives ask of the C and C++ libraries.
+// The library prints nothing and never ends the process: read off what its archives ask of the C and C++ libraries. The
+// C interface shows what its header declares and nothing else, and needs no library that strut brings along.
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +13,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <strut/c/strut.h>
 
 namespace strut::test {
 namespace {
@@ -72,6 +78,53 @@ TEST(Library, IsSeenToPrintWhereItIsPlanted) {
   EXPECT_THAT(found, Contains(HasSubstr("abort")));
   EXPECT_THAT(found, Contains(HasSubstr("exit")));
 }
+
+#ifdef STRUT_C_SHARED
+
+TEST(CInterface, NeitherPrintsNorEndsTheProcess) {
+  int members = 0;
+  EXPECT_THAT(forbidden_symbols(STRUT_C_ARCHIVE, members), IsEmpty());
+  EXPECT_GT(members, 3) << "nm's output was not understood";
+}
+
+/// The names of the functions that the header declares.
+std::set<std::string> declared_functions() {
+  std::ifstream stream(std::string(STRUT_TEST_SOURCE_DIR) + "/include/strut/c/strut.h");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  static const std::regex kDeclaration(R"(\nSTRUT_C_API [a-z0-9_ *]+[ *](strut_[a-z_]+)\()");
+  std::set<std::string> names;
+  for (std::sregex_iterator match(text.begin(), text.end(), kDeclaration), end; match != end; ++match)
+    names.insert((*match)[1]);
+  return names;
+}
+
+TEST(CInterface, ShowsTheFunctionsOfItsHeaderAndNothingElse) {
+  std::istringstream lines(output_of(STRUT_NM " -D --defined-only " STRUT_C_SHARED));
+  std::set<std::string> shown;
+  std::string address;
+  std::string kind;
+  for (std::string name; lines >> address >> kind >> name;) shown.insert(name);
+  EXPECT_EQ(shown, declared_functions());
+  EXPECT_GT(shown.size(), 20U);
+}
+
+TEST(CInterface, NeedsTheStandardLibrariesOnly) {
+  std::istringstream lines(output_of(STRUT_READELF " -d " STRUT_C_SHARED));
+  std::set<std::string> needed;
+  std::string soname;
+  for (std::string line; std::getline(lines, line);) {
+    const auto open = line.find('[');
+    if (open == std::string::npos) continue;
+    const std::string name = line.substr(open + 1, line.find(']') - open - 1);
+    if (line.find("(NEEDED)") != std::string::npos) needed.insert(name.substr(0, name.find(".so")));
+    if (line.find("(SONAME)") != std::string::npos) soname = name;
+  }
+  EXPECT_THAT(needed, testing::IsSubsetOf({"libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"}));
+  EXPECT_THAT(needed, Contains("libc"));
+  EXPECT_EQ(soname, "libstrut.so." + std::to_string(STRUT_ABI_VERSION));
+}
+
+#endif
 
 }  // namespace
 }  // namespace strut::test

@@ -21,9 +21,12 @@ foreach(package ${ABSENT})
 endforeach()
 run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/${CONSUMER} -B ${WORK}/build ${absent}
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_STANDARD=20 -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
-    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DSTRUT_SOURCE=${SOURCE})
+    -DCMAKE_C_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DSTRUT_SOURCE=${SOURCE})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
+if(EXISTS ${WORK}/build/consumer_by_pkg_config)
+  run(${WORK}/build/consumer_by_pkg_config)
+endif()
 
 # The runtime half alone must not have brought the learning half along.
 if(COMPONENTS STREQUAL runtime)
