@@ -164,7 +164,7 @@ class Chart {
       path += point;
     }
     add("<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%g\"/>", path.c_str(), color, thickness);
-    text(left_ + 8, 52 + 15 * num_curves_++, name, "start", color);
+    text(left_, 286 + 15 * num_curves_++, name, "start", color);
   }
   [[nodiscard]] const std::string& svg() const { return svg_; }
 
@@ -190,9 +190,9 @@ class Chart {
 
 void write_picture(const std::string& path, const std::string& title, const std::vector<Chart>& charts) {
   std::string svg =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 280\" width=\"860\" height=\"280\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 345\" width=\"860\" height=\"345\" "
       "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" font-size=\"12\">\n<title>" +
-      title + "</title>\n<rect width=\"860\" height=\"280\" fill=\"#fff\"/>\n";
+      title + "</title>\n<rect width=\"860\" height=\"345\" fill=\"#fff\"/>\n";
   for (const Chart& chart : charts) svg += chart.svg();
   write_file(path, svg + "</svg>\n", Overwrite::kAllow);
 }
