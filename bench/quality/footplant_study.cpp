@@ -124,7 +124,7 @@ class Study {
     for (const Motion& clip : left_out_outputs) cell.real.add(seen_by_detector(clip));
     for (const Motion& clip : left_out_inputs) {
       cell.told.add(told_by_classifier(learnt.model, clip));
-      cell.translated.add(seen_by_detector(translate_motion(learnt.model, clip)));
+      cell.translated.add(seen_by_detector(translate_motion(learnt.model, clip, {.clean_feet = false})));
     }
   }
 

@@ -249,7 +249,8 @@ void study_cells(const std::string& data, Takes learnt, Takes judged) {
       const auto model = learn_style(inputs, outputs, learn::find_pairs(inputs, outputs).pairs).model;
       const auto tested = read_takes(data, content, "normal", judged);
       std::vector<Row> rows;
-      for (const Motion& take : tested) rows.push_back(cleaned_row(translate_motion(model, take)));
+      for (const Motion& take : tested)
+        rows.push_back(cleaned_row(translate_motion(model, take, {.clean_feet = false})));
       const Figures input = recorded(tested), real = recorded(read_takes(data, content, style, judged));
       char name[200];
       std::snprintf(name, sizeof name, "%s %s (%.2f, %.2f)", content, style, input.in_plants, real.anywhere);

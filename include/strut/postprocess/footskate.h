@@ -29,7 +29,7 @@ struct FootskateOptions {
   double max_stretch = 0.02;     ///< of a leg's bones, instead of a straight knee [share of their length], [0, 0.1]
   double reach = 0.99;           ///< the body is lowered until a held foot's leg is at most this long, or as long as it
                                  ///< was in the input [share of the straight leg], [0.5, 1]
-  double body_follows = 0.05;    ///< time in which the body is shifted after the feet it stands on [s], [0, 10]
+  double body_follows = 0.1;     ///< time in which the body is shifted after the feet it stands on [s], [0, 10]
   double max_drag = 0.15;  ///< a foot that is dragged farther than this from the body's shift is let go, to be held
                            ///< anew [leg lengths], (0, 1]
 };
