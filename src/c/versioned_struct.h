@@ -113,6 +113,7 @@ struct Fields<strut_feet> {
       STRUT_FIELD_END(strut_feet, body_follows),   STRUT_FIELD_END(strut_feet, max_drag)};
 };
 
+// NOLINTBEGIN(bugprone-sizeof-expression): it is the pointers' own size that is meant
 template <>
 struct Fields<strut_translator_options> {
   static constexpr std::array ends = {
@@ -122,5 +123,6 @@ struct Fields<strut_translator_options> {
       STRUT_FIELD_END(strut_translator_options, controls),    STRUT_FIELD_END(strut_translator_options, axes),
       STRUT_FIELD_END(strut_translator_options, feet)};
 };
+// NOLINTEND(bugprone-sizeof-expression)
 
 }  // namespace strut::c
