@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include <strut/math/rotation.h>
 #include <strut/math/rotation_arrays.h>
 #include <strut/representation/pose_encoder.h>
 
@@ -150,6 +151,14 @@ template <typename Scalar>
 void PoseDecoder<Scalar>::restart(const RootPlacement& start) {
   placement_ = start;
   started_ = false;
+}
+
+template <typename Scalar>
+void PoseDecoder<Scalar>::carry(const RootPlacement& from, const RootPlacement& to) {
+  const double turn = to.heading - from.heading;
+  const Eigen::Vector3d offset =
+      math::rotation_about_y(turn) * Eigen::Vector3d(placement_.x - from.x, 0.0, placement_.z - from.z);
+  placement_ = {to.x + offset.x(), to.z + offset.z(), math::wrap_angle(placement_.heading + turn)};
 }
 
 template class PoseEncoder<float>;

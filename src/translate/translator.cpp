@@ -73,6 +73,17 @@ std::array<double, 2 * motion::kNumBodyParts> strengths_of(const TranslatorContr
   return strengths;
 }
 
+// No body runs or turns so fast; where one seems to, it was put elsewhere [m/s, rad/s].
+constexpr double kFastest = 25.0;
+constexpr double kFastestTurn = 60.0;
+
+template <typename Scalar>
+bool is_jump(const Scalar* row) {
+  using namespace representation;
+  return std::hypot(row[kSidewaysVelocity], row[kForwardVelocity]) > static_cast<Scalar>(kFastest) ||
+         std::abs(row[kTurningRate]) > static_cast<Scalar>(kFastestTurn);
+}
+
 /// What one model makes of the frames.
 template <typename Scalar>
 struct Branch {
@@ -89,13 +100,17 @@ struct Branch {
     step.step(input.data(), output.data());
     share.go_to(std::array{postprocess::input_share(static_cast<double>(step.largest_deviation()), options)});
   }
-  /// A stream begins with this frame; its velocities are not to be known from it. Standing still would be a jolt to a
-  /// model of walking, so it moves as `opening` did or else as the examples do on average.
-  void begin() {
+  /// This frame's velocities are not to be known from it. Standing still would be a jolt to a model of walking, so the
+  /// body moves as it did, or, if that is not known either, as the examples do on average.
+  void guess_velocities() {
     const auto& mean = step.model().input_scaling().mean();
     for (int dof = 0; dof < kHeight; ++dof) {
-      input[at(dof)] = has_opening ? opening[at(dof)] : static_cast<Scalar>(mean[dof]);
+      input[at(dof)] = has_velocities ? velocities[at(dof)] : static_cast<Scalar>(mean[dof]);
     }
+  }
+  void keep_velocities(const Scalar* row) {
+    std::copy_n(row, kHeight, velocities.begin());
+    has_velocities = true;
   }
 
   template <typename Visit>
@@ -103,8 +118,8 @@ struct Branch {
     step.visit_state(visit);
     encoder.visit_state(visit);
     share.visit_state(visit);
-    visit(&has_opening, 1);
-    visit(opening.data(), opening.size());
+    visit(&has_velocities, 1);
+    visit(velocities.data(), velocities.size());
   }
 
   ModelStep<Scalar> step;
@@ -112,8 +127,8 @@ struct Branch {
   translate::StyleMix<Scalar> mix;
   math::AlignedVector<Scalar> input, output;
   translate::Glide share;
-  bool has_opening = false;
-  std::array<Scalar, kHeight> opening{};  // velocities
+  bool has_velocities = false;
+  std::array<Scalar, kHeight> velocities{};  // of the latest frame
 };
 
 }  // namespace
@@ -125,6 +140,7 @@ struct BasicTranslator<Scalar>::Stream {
   bool push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
   void translate(const PoseView<const Scalar>& input, const PoseView<Scalar>& output);
   void tell_feet();
+  void encode(const PoseView<const Scalar>& input);
   void begin();
   void glide();
   void weigh_joints();
@@ -214,10 +230,13 @@ BasicTranslator<Scalar>::Stream::Stream(std::vector<std::shared_ptr<const StyleM
 
 template <typename Scalar>
 bool BasicTranslator<Scalar>::Stream::push(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
-  translate(input, output);
-  if (!feet) return true;
+  if (!feet) {
+    translate(input, output);
+    return true;
+  }
+  translate(input, converted());  // until the feet are held it is nobody's to see
   tell_feet();
-  return feet->push<Scalar>(output, output);
+  return feet->push<Scalar>(converted(), output);
 }
 
 /// Which feet are planted, by the models' states; where input passes through, nobody can tell.
@@ -232,8 +251,7 @@ void BasicTranslator<Scalar>::Stream::tell_feet() {
 
 template <typename Scalar>
 void BasicTranslator<Scalar>::Stream::translate(const PoseView<const Scalar>& input, const PoseView<Scalar>& output) {
-  for (Branch<Scalar>& branch : branches) branch.encoder.encode(input, branch.input.data());
-  if (!started) begin();
+  encode(input);
   glide();
   for (Branch<Scalar>& branch : branches) {
     branch.run(options.generalization);
@@ -258,11 +276,25 @@ void BasicTranslator<Scalar>::Stream::translate(const PoseView<const Scalar>& in
 }
 
 template <typename Scalar>
+void BasicTranslator<Scalar>::Stream::encode(const PoseView<const Scalar>& input) {
+  const representation::RootPlacement before = branches.front().encoder.placement();
+  for (Branch<Scalar>& branch : branches) branch.encoder.encode(input, branch.input.data());
+  if (!started) {
+    begin();
+  } else if (is_jump(branches.front().input.data())) {
+    // The body was put elsewhere: what is translated goes with it, and moves on as it moved.
+    decoder.carry(before, branches.front().encoder.placement());
+    for (Branch<Scalar>& branch : branches) branch.guess_velocities();
+  }
+  for (Branch<Scalar>& branch : branches) branch.keep_velocities(branch.input.data());
+}
+
+template <typename Scalar>
 void BasicTranslator<Scalar>::Stream::begin() {
   representation::RootPlacement start = branches.front().encoder.placement();
   const double heading = start.heading;
   for (std::size_t b = 0; b < branches.size(); ++b) {
-    branches[b].begin();
+    branches[b].guess_velocities();
     start.heading += weight(b) * math::wrap_angle(branches[b].encoder.placement().heading - heading);
   }
   decoder.restart(start);
@@ -402,8 +434,8 @@ void BasicTranslator<Scalar>::warm_up(const std::vector<Pose>& opening, int fram
       if (t == 0) branch.share.arrive();
       branch.share.advance();
     }
-    branch.has_opening = true;
-    for (int dof = 0; dof < kHeight; ++dof) branch.opening[at(dof)] = static_cast<Scalar>(rows(0, dof));
+    branch.step.layout().pack(rows.row(0), branch.input.data());
+    branch.keep_velocities(branch.input.data());
   }
 }
 
@@ -426,7 +458,7 @@ void BasicTranslator<Scalar>::reset() {
   for (Branch<Scalar>& branch : stream_->branches) {
     branch.step.reset();
     branch.encoder.reset();
-    branch.has_opening = false;
+    branch.has_velocities = false;
   }
   if (stream_->feet) stream_->feet->reset();
   stream_->started = false;
@@ -436,6 +468,10 @@ template <typename Scalar>
 void BasicTranslator<Scalar>::restore(const BasicTranslator& snapshot) {
   if (snapshot.stream_->models != stream_->models) {
     throw InvalidArgument("snapshot", "one of a translator of the same models", "one of others");
+  }
+  if (snapshot.latency() != latency()) {
+    throw InvalidArgument("snapshot", "one of a latency of " + std::to_string(latency()) + " frames",
+                          "one of " + std::to_string(snapshot.latency()));
   }
   *stream_ = *snapshot.stream_;
 }

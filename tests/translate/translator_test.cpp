@@ -128,6 +128,22 @@ TEST(Translator, RefusesModelsThatDoNotFitTogether) {
   EXPECT_THROW(Translator(model, {.clean_feet = true}), InvalidArgument);  // it tells no footplants
 }
 
+TEST(Translator, GoesAlongWhereTheBodyIsPutElsewhereAndBack) {
+  const Motion clip = clip_of_two_seconds();
+  const Motion away = motion::moved(clip, {3e5, 0, -1e5}, 1.0);
+  for (const auto& model : remembering_models(clip)) {
+    Translator still(model), moved(model);
+    Pose expected, pose;
+    for (int t = 0; t < clip.num_frames(); ++t) {
+      still.push(clip.frame(t), expected);
+      moved.push(t >= 20 && t < 23 ? away.frame(t) : clip.frame(t), pose);
+    }
+    // Each of the two jumps guesses one frame's step.
+    EXPECT_LT((pose.translations[1] - expected.translations[1]).norm(), 0.2);
+    EXPECT_GT((expected.translations[1] - clip.frame(0).translations[1]).norm(), 0.4);
+  }
+}
+
 TEST(Translator, WarmedUpItBeginsAsIfItHadRunBefore) {
   const Motion clip = test::turning_motion(kRate, 4.0);
   constexpr int kBefore = 60;

@@ -66,6 +66,8 @@ class PoseDecoder {
 
   /// Stands at `start` again.
   void restart(const RootPlacement& start);
+  /// Is carried along with something that was put from `from` to `to`.
+  void carry(const RootPlacement& from, const RootPlacement& to);
   /// As PoseEncoder::visit_state.
   template <typename Visit>
   void visit_state(Visit&& visit) {

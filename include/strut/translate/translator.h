@@ -46,6 +46,7 @@ class BasicTranslator {
 
   /// Translates the next frame; the frames are model().frame_rate() apart. The first output stands where the first
   /// input stands; bones are the input's. No lock, no allocation. `output` may be `input`.
+  /// Where the body jumps (faster than 25 m/s or 60 rad/s) the output goes with it and moves on as it moved.
   /// Gives whether a frame was written: the one of latency() pushes ago, so none at the first latency() pushes.
   /// Throws InvalidArgument, before anything changes, if either has another number of joints, or `input` a number that
   /// is not finite, a translation of 10,000 km or a rotation that is not of unit length (within 1e-3).
@@ -85,7 +86,7 @@ class BasicTranslator {
   void reset();
 
   /// Takes over the state of `snapshot`, a copy made earlier of this translator or of one made alike. No allocation.
-  /// Throws InvalidArgument if it has other models.
+  /// Throws InvalidArgument if it has other models or another latency.
   void restore(const BasicTranslator& snapshot);
 
   /// The state alone, as bytes that mean something to translators of the same models and options on this machine:
