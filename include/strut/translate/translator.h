@@ -16,6 +16,11 @@ namespace strut {
 
 class StyleModel;
 
+namespace translate {
+template <typename Scalar>
+class Stream;
+}
+
 /// What is fixed for a translator's life.
 struct TranslatorOptions {
   TranslatorControls controls{};                        ///< what the controls are at first
@@ -102,8 +107,7 @@ class BasicTranslator {
   [[nodiscard]] int num_models() const noexcept;
 
  private:
-  struct Stream;
-  std::unique_ptr<Stream> stream_;
+  std::unique_ptr<translate::Stream<Scalar>> stream_;
 };
 
 using Translator = BasicTranslator<double>;
