@@ -133,8 +133,8 @@ struct OnePose {
   int joints;
 };
 
-/// Floor: 105 states in one dense system, in Eigen.
-void FloorDense(benchmark::State& state) {
+/// 105 states in one dense system, in Eigen.
+void ModelStepDense(benchmark::State& state) {
   constexpr int kAll = kBlocks * kStates;
   const Eigen::MatrixXf matrix = some(2 * kAll, 2 * kAll, 0.01).cast<float>();
   Eigen::VectorXf now = Eigen::VectorXf::Ones(2 * kAll), next(2 * kAll);
@@ -142,28 +142,6 @@ void FloorDense(benchmark::State& state) {
     next.noalias() = matrix * now;
     now.head<kAll>() = next.head<kAll>();
     benchmark::DoNotOptimize(next.data());
-  }
-  state.SetItemsProcessed(state.iterations());
-}
-
-/// Floor: as many independent blocks, lane by lane, nothing gathered or scattered.
-void FloorBlocks(benchmark::State& state) {
-  constexpr int kLanes = 40;
-  alignas(64) static float matrix[2 * kStates][2 * kStates][kLanes];
-  alignas(64) float now[2 * kStates][kLanes] = {};
-  alignas(64) float next[2 * kStates][kLanes];
-  for (auto& row : matrix) {
-    for (auto& lanes : row) std::fill(std::begin(lanes), std::end(lanes), 0.1F);
-  }
-  for (auto _ : state) {
-    for (int row = 0; row < 2 * kStates; ++row) {
-      for (int lane = 0; lane < kLanes; ++lane) next[row][lane] = 0.0F;
-      for (int col = 0; col < 2 * kStates; ++col) {
-        for (int lane = 0; lane < kLanes; ++lane) next[row][lane] += matrix[row][col][lane] * now[col][lane];
-      }
-    }
-    std::copy(&next[0][0], &next[kStates][0], &now[0][0]);
-    benchmark::DoNotOptimize(next);
   }
   state.SetItemsProcessed(state.iterations());
 }
@@ -184,9 +162,9 @@ void ModelStepBlocks(benchmark::State& state) {
   const strut::sysid::LtiBank<Scalar> bank(banked, kStates * kPlane, kStates * kPlane);
   strut::math::AlignedVector<Scalar> input(kStates * kPlane, Scalar(0.3)), output(input.size());
   strut::math::AlignedVector<Scalar> states(static_cast<std::size_t>(bank.state_size()));
-  typename strut::sysid::LtiBank<Scalar>::Scratch scratch(bank);
+  strut::math::AlignedVector<Scalar> scratch(static_cast<std::size_t>(bank.scratch_size()));
   for (auto _ : state) {
-    bank.step(input.data(), states.data(), scratch, output.data());
+    bank.step(input.data(), states.data(), scratch.data(), output.data());
     benchmark::DoNotOptimize(output.data());
   }
   state.SetItemsProcessed(state.iterations());
@@ -268,8 +246,7 @@ void PushBatch(benchmark::State& state, Kind kind) {
       benchmark::Counter(static_cast<double>(state.iterations()) * characters / 60.0, benchmark::Counter::kIsRate);
 }
 
-BENCHMARK(FloorDense);
-BENCHMARK(FloorBlocks);
+BENCHMARK(ModelStepDense);
 BENCHMARK(ModelStepBlocks<float>);
 BENCHMARK(ModelStepBlocks<double>);
 BENCHMARK(RotationMaps<float>);

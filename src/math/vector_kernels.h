@@ -28,9 +28,9 @@ struct VectorKernels {
   /// y += (or =, if not `add`) squared distances of x (`cols`) to the rows of `matrix`.
   void (*squared_distances)(int rows, int cols, const T* matrix, const T* x, bool add, T* y);
   /// kLanes linear systems at once: `matrix` holds, row by row of [A B; C D] and lane by lane, states + inputs columns
-  /// in states + outputs rows; `input` and `output` say where the lanes of each input and output stand.
-  void (*step_systems)(int states, int inputs, int outputs, const T* matrix, const T* const* input, const T* state,
-                       T* next, T* const* output);
+  /// in states + outputs rows; the lanes of input i begin at input[input_at[i]], of output i at output[output_at[i]].
+  void (*step_systems)(int states, int inputs, int outputs, const T* matrix, const T* input, const int* input_at,
+                       const T* state, T* next, T* output, const int* output_at);
 };
 
 /// The kernels for this processor. T is float or double.

@@ -237,27 +237,49 @@ void squared_distances(int rows, int cols, const T* __restrict matrix, const T* 
   }
 }
 
+/// kLanes numbers as the compiler's own vectors, where its vectorizer does not see that short loops over few columns
+/// are worth it. Loaded through memory, so that they may stand anywhere.
+template <typename T>
+struct Lanes {
+  static constexpr int kBytes = 32;  // of a vector of AVX2
+  static constexpr int kPer = kBytes / static_cast<int>(sizeof(T));
+  static constexpr int kVectors = kLanes / kPer;
+  typedef T Vector __attribute__((vector_size(kBytes)));  // NOLINT(modernize-use-using): g++ wants it so
+  Vector numbers[kVectors];
+
+  void add_product(const T* __restrict a, const T* __restrict b) {
+#pragma GCC unroll 2
+    for (int i = 0; i < kVectors; ++i) {
+      Vector x, y;
+      __builtin_memcpy(&x, a + i * kPer, kBytes);
+      __builtin_memcpy(&y, b + i * kPer, kBytes);
+      numbers[i] += x * y;
+    }
+  }
+  void store(T* __restrict to) const {
+#pragma GCC unroll 2
+    for (int i = 0; i < kVectors; ++i) __builtin_memcpy(to + i * kPer, &numbers[i], kBytes);
+  }
+};
+
 template <typename T>
 inline const T* row_of_systems(int states, int inputs, const T* __restrict matrix, const T* __restrict state,
-                               const T* const* __restrict input, T* __restrict result) {
-  T sums[kLanes] = {};
-  for (int col = 0; col < states; ++col, matrix += kLanes) {
-    for (int lane = 0; lane < kLanes; ++lane) sums[lane] += matrix[lane] * state[col * kLanes + lane];
-  }
-  for (int col = 0; col < inputs; ++col, matrix += kLanes) {
-    const T* __restrict lanes = input[col];
-    for (int lane = 0; lane < kLanes; ++lane) sums[lane] += matrix[lane] * lanes[lane];
-  }
-  for (int lane = 0; lane < kLanes; ++lane) result[lane] = sums[lane];
+                               const T* __restrict input, const int* __restrict input_at, T* __restrict result) {
+  Lanes<T> sums{};
+  for (int col = 0; col < states; ++col, matrix += kLanes) sums.add_product(matrix, state + col * kLanes);
+  for (int col = 0; col < inputs; ++col, matrix += kLanes) sums.add_product(matrix, input + input_at[col]);
+  sums.store(result);
   return matrix;
 }
 
 template <typename T>
-void step_systems(int states, int inputs, int outputs, const T* __restrict matrix, const T* const* __restrict input,
-                  const T* __restrict state, T* __restrict next, T* const* __restrict output) {
+void step_systems(int states, int inputs, int outputs, const T* __restrict matrix, const T* __restrict input,
+                  const int* __restrict input_at, const T* __restrict state, T* __restrict next, T* __restrict output,
+                  const int* __restrict output_at) {
   for (int row = 0; row < states; ++row)
-    matrix = row_of_systems(states, inputs, matrix, state, input, next + row * kLanes);
-  for (int row = 0; row < outputs; ++row) matrix = row_of_systems(states, inputs, matrix, state, input, output[row]);
+    matrix = row_of_systems(states, inputs, matrix, state, input, input_at, next + row * kLanes);
+  for (int row = 0; row < outputs; ++row)
+    matrix = row_of_systems(states, inputs, matrix, state, input, input_at, output + output_at[row]);
 }
 
 template <typename T>

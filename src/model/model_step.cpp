@@ -21,10 +21,11 @@ std::shared_ptr<const StyleModel> not_null(std::shared_ptr<const StyleModel> mod
 
 template <typename Scalar>
 ModelStep<Scalar>::ModelStep(std::shared_ptr<const StyleModel> model)
-    : model_(not_null(std::move(model))), packed_(&model_->packed<Scalar>()), scratch_(packed_->blocks) {
+    : model_(not_null(std::move(model))), packed_(&model_->packed<Scalar>()) {
   const int slots = layout().num_slots();
   inputs_.resize(at(slots + packed_->context.num_rows()));
   state_.resize(at(packed_->blocks.state_size()));
+  scratch_.resize(at(packed_->blocks.scratch_size()));
   row_input_.resize(at(slots));
   row_output_.resize(at(slots));
   if (packed_->radial_map) radial_.emplace(*packed_, model_->frame_rate());
@@ -49,7 +50,7 @@ void ModelStep<Scalar>::step(const Scalar* input, Scalar* output) {
     return;
   }
   std::fill_n(output, slots, Scalar(0));
-  packed_->blocks.step(inputs_.data(), state_.data(), scratch_, output);
+  packed_->blocks.step(inputs_.data(), state_.data(), scratch_.data(), output);
   for (int slot = 0; slot < slots; ++slot) {
     output[slot] = packed_->output_mean[at(slot)] + packed_->output_scale[at(slot)] * output[slot];
   }

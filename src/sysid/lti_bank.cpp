@@ -41,33 +41,38 @@ std::vector<int> order_of(const std::vector<BankedSystem>& systems) {
   return order;
 }
 
-/// Where a row of indices begins if its lanes count up by one, else -1. A lane without a system (-1) may be any index
-/// that is `free`.
+/// Where every row of lanes begins in its signal, if all of them count up by one from there; else nothing. A lane
+/// without a system (-1) may be any index that is free.
 template <typename IsFree>
-int run_of(const int* lanes, IsFree is_free) {
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const bool follows = lanes[lane] == lanes[0] + lane || (lanes[lane] < 0 && is_free(lanes[0] + lane));
-    if (!follows) return -1;
+std::vector<int> begins_of(const std::vector<int>& indices, IsFree is_free) {
+  std::vector<int> begins;
+  for (std::size_t row = 0; row < indices.size(); row += kLanes) {
+    begins.push_back(indices[row]);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const int index = indices[row + at(lane)];
+      const int next = begins.back() + lane;
+      if (index != next && (index >= 0 || !is_free(next))) return {};
+    }
   }
-  return lanes[0];
+  return begins;
 }
 
-template <typename IsFree>
-std::vector<int> runs_of(const std::vector<int>& indices, IsFree is_free) {
-  std::vector<int> runs;
-  for (std::size_t row = 0; row < indices.size(); row += kLanes) runs.push_back(run_of(indices.data() + row, is_free));
-  return runs;
-}
-
-template <typename Scalar>
-void gather(const int* indices, const Scalar* from, Scalar* lanes) {
-  for (int lane = 0; lane < kLanes; ++lane) lanes[lane] = indices[lane] >= 0 ? from[indices[lane]] : Scalar(0);
+/// Rows of lanes one after the other.
+std::vector<int> one_after_the_other(int rows) {
+  std::vector<int> begins;
+  for (int row = 0; row < rows; ++row) begins.push_back(row * kLanes);
+  return begins;
 }
 
 template <typename Scalar>
-void scatter(const int* indices, const Scalar* lanes, Scalar* to) {
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (indices[lane] >= 0) to[indices[lane]] = lanes[lane];
+void gather(const std::vector<int>& indices, const Scalar* from, Scalar* lanes) {
+  for (std::size_t i = 0; i < indices.size(); ++i) lanes[i] = indices[i] >= 0 ? from[indices[i]] : Scalar(0);
+}
+
+template <typename Scalar>
+void scatter(const std::vector<int>& indices, const Scalar* lanes, Scalar* to) {
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] >= 0) to[indices[i]] = lanes[i];
   }
 }
 
@@ -92,9 +97,7 @@ LtiBank<Scalar>::LtiBank(const std::vector<BankedSystem>& systems, int input_siz
     groups_.push_back(make_group(systems, members));
     const Group& group = groups_.back();
     state_size_ += group.states * kLanes;
-    most_inputs_ = std::max(most_inputs_, group.inputs);
-    most_outputs_ = std::max(most_outputs_, group.outputs);
-    most_numbers_ = std::max(most_numbers_, (group.states + group.inputs + group.outputs) * kLanes);
+    scratch_size_ = std::max(scratch_size_, (group.states + group.inputs + group.outputs) * kLanes);
   }
 }
 
@@ -129,33 +132,30 @@ typename LtiBank<Scalar>::Group LtiBank<Scalar>::make_group(const std::vector<Ba
     for (std::size_t i = 0; i < banked.inputs.size(); ++i) group.gather[i * kLanes + at(lane)] = banked.inputs[i];
     for (std::size_t i = 0; i < banked.outputs.size(); ++i) group.scatter[i * kLanes + at(lane)] = banked.outputs[i];
   }
-  group.gather_from = runs_of(group.gather, [this](int index) { return index < input_size_; });
-  group.scatter_to =
-      runs_of(group.scatter, [this](int index) { return at(index) < given_.size() && !given_[at(index)]; });
+  group.input_at = begins_of(group.gather, [this](int index) { return index < input_size_; });
+  group.output_at =
+      begins_of(group.scatter, [this](int index) { return at(index) < given_.size() && !given_[at(index)]; });
+  group.gathers = group.input_at.empty() && group.inputs > 0;
+  group.scatters = group.output_at.empty();
+  if (group.gathers) group.input_at = one_after_the_other(group.inputs);
+  if (group.scatters) group.output_at = one_after_the_other(group.outputs);
   return group;
 }
 
 template <typename Scalar>
-void LtiBank<Scalar>::step(const Scalar* input, Scalar* state, Scratch& scratch, Scalar* output) const {
+void LtiBank<Scalar>::step(const Scalar* input, Scalar* state, Scalar* scratch, Scalar* output) const {
   const auto& kernels = math::vector_kernels<Scalar>();
   for (const Group& group : groups_) {
-    Scalar* next = scratch.numbers.data();
-    Scalar* beside = next + group.states * kLanes;  // lanes that do not stand together in the signals
-    const Scalar** from = scratch.inputs.data();
-    for (int row = 0; row < group.inputs; ++row, beside += kLanes) {
-      from[row] = group.gather_from[at(row)] >= 0 ? input + group.gather_from[at(row)] : beside;
-      if (from[row] == beside) gather(group.gather.data() + row * kLanes, input, beside);
-    }
-    Scalar** to = scratch.outputs.data();
-    for (int row = 0; row < group.outputs; ++row) {
-      to[row] = group.scatter_to[at(row)] >= 0 ? output + group.scatter_to[at(row)] : beside + row * kLanes;
-    }
+    Scalar* next = scratch;
+    Scalar* gathered = next + group.states * kLanes;
+    Scalar* given = gathered + group.inputs * kLanes;
+    if (group.gathers) gather(group.gather, input, gathered);
     Scalar* own = state + group.first_state;
-    kernels.step_systems(group.states, group.inputs, group.outputs, group.matrix.data(), from, own, next, to);
+    kernels.step_systems(group.states, group.inputs, group.outputs, group.matrix.data(),
+                         group.gathers ? gathered : input, group.input_at.data(), own, next,
+                         group.scatters ? given : output, group.output_at.data());
     std::copy(next, next + group.states * kLanes, own);
-    for (int row = 0; row < group.outputs; ++row) {
-      if (group.scatter_to[at(row)] < 0) scatter(group.scatter.data() + row * kLanes, to[row], output);
-    }
+    if (group.scatters) scatter(group.scatter, given, output);
   }
 }
 

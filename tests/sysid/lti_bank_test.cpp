@@ -45,7 +45,7 @@ TYPED_TEST(LtiBankOf, StepsEverySystemAsItStepsAlone) {
   const LtiBank<TypeParam> bank(mixed.banked, Mixed::kInputs, Mixed::kOutputs);
   math::AlignedVector<TypeParam> input(Mixed::kInputs), output(Mixed::kOutputs, TypeParam(7));
   math::AlignedVector<TypeParam> state(static_cast<std::size_t>(bank.state_size()));
-  typename LtiBank<TypeParam>::Scratch scratch(bank);
+  math::AlignedVector<TypeParam> scratch(static_cast<std::size_t>(bank.scratch_size()));
   const FrameMatrix inputs = FrameMatrix::Random(30, Mixed::kInputs);
   std::vector<FrameMatrix> expected;
   for (const BankedSystem& banked : mixed.banked) {
@@ -56,7 +56,7 @@ TYPED_TEST(LtiBankOf, StepsEverySystemAsItStepsAlone) {
   }
   for (Eigen::Index t = 0; t < inputs.rows(); ++t) {
     for (int i = 0; i < Mixed::kInputs; ++i) input[Mixed::at(i)] = static_cast<TypeParam>(inputs(t, i));
-    bank.step(input.data(), state.data(), scratch, output.data());
+    bank.step(input.data(), state.data(), scratch.data(), output.data());
     for (std::size_t s = 0; s < mixed.banked.size(); ++s) {
       for (std::size_t i = 0; i < mixed.banked[s].outputs.size(); ++i) {
         EXPECT_NEAR(output[Mixed::at(mixed.banked[s].outputs[i])], expected[s](t, static_cast<Eigen::Index>(i)),

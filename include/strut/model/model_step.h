@@ -54,10 +54,9 @@ class ModelStep {
   std::shared_ptr<const StyleModel> model_;
   const PackedModel<Scalar>* packed_;
   std::optional<RadialStep<Scalar>> radial_;
-  std::array<Scalar, math::kLanes> deviations_{};  // of the latest input, the largest of every lane
-  math::AlignedVector<Scalar> inputs_;             // normalized slots, then the contexts
-  math::AlignedVector<Scalar> state_;              // of the linear systems
-  typename sysid::LtiBank<Scalar>::Scratch scratch_;
+  std::array<Scalar, math::kLanes> deviations_{};       // of the latest input, the largest of every lane
+  math::AlignedVector<Scalar> inputs_;                  // normalized slots, then the contexts
+  math::AlignedVector<Scalar> state_, scratch_;         // of the linear systems
   math::AlignedVector<Scalar> row_input_, row_output_;  // slots of the rows given as rows
 };
 

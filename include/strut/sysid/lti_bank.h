@@ -27,20 +27,12 @@ class LtiBank {
 
   /// Numbers of a state, zero at rest. Filled-up lanes included.
   [[nodiscard]] int state_size() const noexcept { return state_size_; }
-  /// Memory that `step` works in; it holds nothing from one step to the next.
-  struct Scratch {
-    explicit Scratch(const LtiBank& bank)
-        : numbers(static_cast<std::size_t>(bank.most_numbers_)),
-          inputs(static_cast<std::size_t>(bank.most_inputs_)),
-          outputs(static_cast<std::size_t>(bank.most_outputs_)) {}
-    math::AlignedVector<Scalar> numbers;
-    std::vector<const Scalar*> inputs;
-    std::vector<Scalar*> outputs;
-  };
+  /// Numbers of the scratch memory that `step` works in; it holds nothing from one step to the next.
+  [[nodiscard]] int scratch_size() const noexcept { return scratch_size_; }
 
   /// One step of every system: reads `input`, replaces `state` (state_size), writes the systems' elements of `output`,
   /// and zero to some that no system gives. No allocation. Cost: the sizes of all A, B, C, D, filled up to whole lanes.
-  void step(const Scalar* input, Scalar* state, Scratch& scratch, Scalar* output) const;
+  void step(const Scalar* input, Scalar* state, Scalar* scratch, Scalar* output) const;
 
   /// Where state `index` of system `system` stands within a bank's state.
   [[nodiscard]] int place_of_state(int system, int index) const;
@@ -51,9 +43,10 @@ class LtiBank {
     int states = 0, inputs = 0, outputs = 0;
     int first_state = 0;                 // in a bank's state
     math::AlignedVector<Scalar> matrix;  // as math/vector_kernels.h wants it
-    std::vector<int> gather, scatter;    // per input or output and lane; -1 where there is none
-    std::vector<int> gather_from,
-        scatter_to;  // per input or output: the first lane's, if the others follow it; else -1
+    std::vector<int> gather, scatter;    // per input or output and lane: index into the signal; -1 where there is none
+    bool gathers = false,
+         scatters = false;  // whether lanes do not stand side by side in the signal, so that they must be
+    std::vector<int> input_at, output_at;  // per input or output: where its lanes begin, in the signal or gathered
   };
   struct Place {
     int group, lane;
@@ -65,8 +58,7 @@ class LtiBank {
   std::vector<bool> given_;  // per output, whether a system gives it
   std::vector<Group> groups_;
   std::vector<Place> places_;  // per system
-  int state_size_ = 0;
-  int most_inputs_ = 0, most_outputs_ = 0, most_numbers_ = 0;  // of a group, to be worked in
+  int state_size_ = 0, scratch_size_ = 0;
 };
 
 }  // namespace strut::sysid
