@@ -14,9 +14,9 @@ constexpr double kLeastLength = 0.01;                           // [m]
 constexpr double kOneHertz = 2.0 * std::numbers::pi;            // [rad/s]
 
 constexpr double kPerformerAngle = 12.0 * std::numbers::pi / 180.0;  // [rad]
-constexpr double kPerformerHeight = 0.08;                           // [m]
-constexpr double kPerformerSpeed = 0.1;                             // [m/s]
-constexpr double kPerformerTurning = 0.2;                           // [rad/s]
+constexpr double kPerformerHeight = 0.08;                            // [m]
+constexpr double kPerformerSpeed = 0.1;                              // [m/s]
+constexpr double kPerformerTurning = 0.2;                            // [rad/s]
 
 }  // namespace
 
