@@ -12,8 +12,8 @@ namespace strut {
 /// same.
 ///
 /// A joint whose detail stands out, for half a second or so, from what the examples show and from what the other joints
-/// do now is the performer's own: its detail is kept whole, and kept out of the context, so that it cannot pass for
-/// another place in the movement. Of ordinary detail the examples' share is kept (RadialMap::share).
+/// do now is the performer's own: its detail is kept whole, and, a frame later, kept out of the context, so that it
+/// cannot pass for another place in the movement. Of ordinary detail the examples' share is kept (RadialMap::share).
 template <typename Scalar>
 class RadialStep {
  public:
@@ -21,8 +21,8 @@ class RadialStep {
   RadialStep(const PackedModel<Scalar>& model, double frame_rate);
 
   /// One frame. `input`: slots in the input representation's units; `context`: the model's contexts of it (whole
-  /// tiles); writes `output`, slots in the output representation's units. No allocation. Cost: centres x (features +
-  /// slots) twice over.
+  /// tiles); writes `output`, slots in the output representation's units. No allocation.
+  /// Cost: centres x (features + slots of both styles).
   void step(const Scalar* input, const Scalar* context, Scalar* output);
 
   /// Forgets every frame: the next one is taken to have lasted forever.
