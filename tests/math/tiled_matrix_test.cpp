@@ -16,7 +16,9 @@ using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(TiledMatrixOf, Scalars);
 
 TYPED_TEST(TiledMatrixOf, MultipliesAndMeasuresAsEigenDoes) {
-  for (const auto& [rows, cols] : {std::pair(1, 1), std::pair(32, 3), std::pair(33, 20), std::pair(70, 7)}) {
+  for (const auto& size : {std::pair(1, 1), std::pair(32, 3), std::pair(33, 20), std::pair(70, 7)}) {
+    const int rows = size.first;
+    const int cols = size.second;
     const Eigen::MatrixXd dense = Eigen::MatrixXd::Random(rows, cols);
     const Eigen::VectorXd x = Eigen::VectorXd::Random(cols);
     const TiledMatrix<TypeParam> matrix(dense);
