@@ -73,7 +73,7 @@ const char* strut_last_error(void) {
   return strut::c::last_error.data();
 }
 
-const char* strut_status_name(strut_status status) {
+const char* strut_status_name(int status) {
   switch (status) {
     case STRUT_OK:
       return "STRUT_OK";

@@ -67,7 +67,7 @@ typedef enum strut_status {
 } strut_status;
 
 /** The status' name, "STRUT_OK", ...; "unknown status" for any other number. Never NULL, never fails. */
-STRUT_C_API const char* strut_status_name(strut_status status);
+STRUT_C_API const char* strut_status_name(int status);
 
 /** What went wrong in this thread's latest call that failed: one line, UTF-8, at most 511 bytes, "" if none failed yet.
  *  Calls that work leave it as it is. Never NULL; valid until the next failing call in this thread. */
