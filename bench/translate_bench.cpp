@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What learning and the runtime cost: a limp from generated walks (21 joints), as a radial map (the default: 400
-// centres, 48 features) and as linear systems, put on a walk at the model's 30 frames/s. Items are frames: the paper
-// reports 10,000 frames/s for 98 states, the model step alone.
-#include <memory>
+// What learning and whole clips cost: a limp from generated walks (21 joints), as a radial map (the default: 400
+// centres, 48 features) and as linear systems, put on a walk at the model's 30 frames/s. Items are frames.
+// runtime_bench.cpp has what a frame costs.
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include <strut/generate/walker.h>
 #include <strut/learn/learn_style.h>
-#include <strut/model/model_step.h>
 #include <strut/translate/translate_motion.h>
-#include <strut/translate/translator.h>
 
 namespace {
 
@@ -56,39 +53,10 @@ const LearntStyle& learnt(LearnMethod method) {
   return method == LearnMethod::kRadial ? radial : linear;
 }
 
-void set_size(benchmark::State& state, const LearntStyle& style) {
-  state.counters["centres"] = style.report.num_centres;
-  state.counters["states"] = style.model->num_states();
-}
-
 void LearnStyle(benchmark::State& state, LearnMethod method) {
   const auto pairs = static_cast<double>(examples().pairs.size());
   for (auto _ : state) benchmark::DoNotOptimize(learn(method));
   state.counters["pairs"] = pairs;
-}
-
-void StepModel(benchmark::State& state, LearnMethod method) {
-  const LearntStyle& style = learnt(method);
-  strut::ModelStep<double> step(style.model);
-  const strut::FrameMatrix rows = strut::representation::encode(style.model->input(), walk(1.2, 0.0, 50));
-  Eigen::RowVectorXd output(style.model->num_dofs() + 1);
-  for (auto _ : state) {
-    for (Eigen::Index t = 0; t < rows.rows(); ++t) step.step(rows.row(t), output);
-    benchmark::DoNotOptimize(output.data());
-  }
-  state.SetItemsProcessed(state.iterations() * rows.rows());
-  set_size(state, style);
-}
-
-void TranslatorPush(benchmark::State& state, LearnMethod method) {
-  strut::Translator translator(learnt(method).model);
-  const Motion clip = walk(1.2, 0.0, 50);
-  strut::Pose output;
-  for (auto _ : state) {
-    for (const strut::Pose& pose : clip.frames()) translator.push(pose, output);
-    benchmark::DoNotOptimize(output.rotations.data());
-  }
-  state.SetItemsProcessed(state.iterations() * clip.num_frames());
 }
 
 void TranslateMotion(benchmark::State& state, LearnMethod method) {
@@ -100,10 +68,6 @@ void TranslateMotion(benchmark::State& state, LearnMethod method) {
 BENCHMARK_CAPTURE(LearnStyle, radial, LearnMethod::kRadial)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(LearnStyle, linear, LearnMethod::kLinear)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(LearnStyle, paper, LearnMethod::kPaper)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(StepModel, radial, LearnMethod::kRadial);
-BENCHMARK_CAPTURE(StepModel, linear, LearnMethod::kLinear);
-BENCHMARK_CAPTURE(TranslatorPush, radial, LearnMethod::kRadial);
-BENCHMARK_CAPTURE(TranslatorPush, linear, LearnMethod::kLinear);
 BENCHMARK_CAPTURE(TranslateMotion, radial, LearnMethod::kRadial);
 BENCHMARK_CAPTURE(TranslateMotion, linear, LearnMethod::kLinear);
 

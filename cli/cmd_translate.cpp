@@ -55,8 +55,10 @@ void translate_clip(const TranslateArguments& arguments) {
                            .retime = arguments.retime,
                            .clean_feet = arguments.clean_feet,
                            .warm_up = arguments.warm_up};
-  const auto legs = motion::find_legs(clip.motion);
-  if (!legs || !holds_stretch(layout, *legs)) options.footskate.max_stretch = 0.0;
+  if (options.clean_feet) {
+    const auto legs = motion::find_legs(clip.motion);
+    if (!legs || !holds_stretch(layout, *legs)) options.footskate.max_stretch = 0.0;
+  }
   try {
     const Motion result =
         naming_the_file(arguments.clip, [&] { return translate_motion(models, clip.motion, options, &diagnostics); });

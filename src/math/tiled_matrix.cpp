@@ -19,8 +19,8 @@ TiledMatrix<Scalar>::TiledMatrix(const Eigen::Ref<const Eigen::MatrixXd>& matrix
 }
 
 template <typename Scalar>
-void TiledMatrix<Scalar>::multiply(int rows, const Scalar* x, Scalar* y) const {
-  vector_kernels<Scalar>().multiply(rows, cols_, values_.data(), x, y);
+void TiledMatrix<Scalar>::multiply(const Scalar* x, Scalar* y) const {
+  vector_kernels<Scalar>().multiply(rows_, cols_, values_.data(), x, y);
 }
 
 template <typename Scalar>

@@ -44,7 +44,7 @@ void ModelStep<Scalar>::step(const Scalar* input, Scalar* output) {
     }
   }
   Scalar* contexts = inputs_.data() + slots;
-  packed_->context.multiply(packed_->context.num_rows(), inputs_.data(), contexts);
+  packed_->context.multiply(inputs_.data(), contexts);
   if (radial_) {
     radial_->step(input, contexts, output);
     return;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <strut/math/low_pass.h>
 #include <strut/model/packed_model.h>
 #include <strut/model/style_model.h>
 
@@ -63,10 +64,6 @@ sysid::LtiBank<Scalar> bank_of(const StyleModelParts& parts, const RowLayout& la
   return {systems, layout.num_slots() + contexts, layout.num_slots()};
 }
 
-double filter_gain(double frames) {
-  return frames > 0.0 ? 1.0 - std::exp(-1.0 / frames) : 1.0;
-}
-
 /// The weights of both styles, one below the other.
 Eigen::MatrixXd styles_of(const RadialMap& map, const RowLayout& layout) {
   const int slots = layout.num_slots();
@@ -81,12 +78,11 @@ Eigen::MatrixXd styles_of(const RadialMap& map, const RowLayout& layout) {
 template <typename Scalar>
 PackedRadialMap<Scalar>::PackedRadialMap(const StyleModelParts& parts, const RowLayout& layout)
     : lags(parts.radial_map->lags),
-      num_centres(parts.radial_map->basis.num_centres()),
       squared_width(static_cast<Scalar>(parts.radial_map->basis.squared_width(0.0))),
       widening(static_cast<Scalar>(sysid::RadialBasis::kWidening)),
       styles(styles_of(*parts.radial_map, layout)),
       fast(static_cast<Scalar>(parts.radial_map->fast)),
-      smoothing_gain(static_cast<Scalar>(filter_gain(parts.radial_map->smoothing))),
+      smoothing_gain(static_cast<Scalar>(math::low_pass_gain(parts.radial_map->smoothing))),
       inverse_spread(slots_of<Scalar>(layout, parts.radial_map->spread.cwiseInverse())),
       share(at(math::kLanes + layout.plane())),
       turns(at(9 * layout.plane())) {

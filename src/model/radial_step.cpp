@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <strut/math/low_pass.h>
 #include <strut/math/rotation_arrays.h>
 #include <strut/model/radial_step.h>
 
@@ -26,46 +27,33 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-/// Gain of a one-pole low-pass filter with a time constant of `frames`.
-template <typename Scalar>
-Scalar filter_gain(double frames) {
-  return static_cast<Scalar>(1.0 - std::exp(-1.0 / frames));
-}
-
 }  // namespace
 
 template <typename Scalar>
 RadialStep<Scalar>::RadialStep(const PackedModel<Scalar>& model, double frame_rate)
     : model_(&model),
       map_(&*model.radial_map),
-      level_gain_(filter_gain<Scalar>(kLevelTime * frame_rate)),
-      slow_gain_(filter_gain<Scalar>(kSlowTime * frame_rate)),
+      level_gain_(static_cast<Scalar>(math::low_pass_gain(kLevelTime * frame_rate))),
+      slow_gain_(static_cast<Scalar>(math::low_pass_gain(kSlowTime * frame_rate))),
       num_contexts_(map_->now.num_cols()),
       num_frames_(map_->lags.back() + 1) {
   const int slots = model.layout.num_slots();
   const int parts = kLanes + model.layout.plane();
   history_.resize(at(num_frames_ * num_contexts_));
   features_.resize(at(num_contexts_) * map_->lags.size());
-  distances_.resize(at(map_->now.num_rows()));
-  activations_.resize(distances_.size());
+  activations_.resize(at(map_->now.num_rows()));
   styles_.resize(at(map_->styles.num_rows()));
   taken_.resize(at(model.context.num_rows()));
   turned_.resize(at(3 * model.layout.plane()));
   for (Array* array : {&smoothed_, &smoothed_twice_, &details_, &slow_details_, &standing_out_})
     array->resize(at(slots));
-  for (Array* array : {&energy_, &next_energy_, &unusual_, &sorted_}) array->resize(at(parts));
+  for (Array* array : {&energy_, &unusual_, &sorted_}) array->resize(at(parts));
 }
 
 template <typename Scalar>
 void RadialStep<Scalar>::step(const Scalar* input, const Scalar* context, Scalar* output) {
-  newest_ = (newest_ + 1) % num_frames_;
-  if (started_) {
-    remember();
-  } else {
-    std::fill(taken_.begin(), taken_.end(), Scalar(0));
-  }
   see(context);
-  look_up(true);
+  look_up();
   measure_details(input);
   compare_details();
   measure_what_stands_out();
@@ -77,49 +65,40 @@ void RadialStep<Scalar>::step(const Scalar* input, const Scalar* context, Scalar
   add_details(output);
 }
 
-/// Makes `context` the newest of the features, without what stands out in it (nothing, at first).
+/// The features of this frame: its context, without what stood out a frame ago, and the older ones. The first frame has
+/// lasted forever, and nothing stood out in it.
 template <typename Scalar>
 void RadialStep<Scalar>::see(const Scalar* context) {
   constexpr auto kFarthest = static_cast<Scalar>(kFarthestContext);
+  newest_ = (newest_ + 1) % num_frames_;
+  if (!started_) std::fill(taken_.begin(), taken_.end(), Scalar(0));
   for (int i = 0; i < num_contexts_; ++i) {
     const Scalar seen = std::clamp(context[i], -kFarthest, kFarthest) - taken_[at(i)];
     features_[at(i)] = std::clamp(seen, -kFarthest, kFarthest);
   }
-  std::copy_n(features_.begin(), num_contexts_, history_.begin() + newest_ * num_contexts_);
-  if (started_) return;
-  for (int frame = 0; frame < num_frames_; ++frame) {
-    std::copy_n(features_.begin(), num_contexts_, history_.begin() + frame * num_contexts_);
+  const int frames_like_it = started_ ? 1 : num_frames_;
+  for (int age = 0; age < frames_like_it; ++age) {
+    std::copy_n(features_.begin(), num_contexts_, context_of(age));
   }
-  remember();
-}
-
-/// The older contexts among the features, and how far from the centres they are.
-template <typename Scalar>
-void RadialStep<Scalar>::remember() {
   for (std::size_t lag = 1; lag < map_->lags.size(); ++lag) {
-    const int frame = (newest_ + num_frames_ - map_->lags[lag]) % num_frames_;
-    std::copy_n(history_.begin() + frame * num_contexts_, num_contexts_,
+    std::copy_n(context_of(map_->lags[lag]), num_contexts_,
                 features_.begin() + static_cast<std::ptrdiff_t>(lag) * num_contexts_);
   }
-  if (map_->lags.size() > 1) {
-    map_->before.squared_distances(features_.data() + num_contexts_, false, distances_.data());
-  }
 }
 
 template <typename Scalar>
-void RadialStep<Scalar>::look_up(bool both_styles) {
+void RadialStep<Scalar>::look_up() {
   const auto& kernels = math::vector_kernels<Scalar>();
   const int centres = map_->now.num_rows();
-  std::copy(distances_.begin(), distances_.end(), activations_.begin());
-  map_->now.squared_distances(features_.data(), map_->lags.size() > 1, activations_.data());
+  const bool sees_older = map_->lags.size() > 1;
+  if (sees_older) map_->before.squared_distances(features_.data() + num_contexts_, false, activations_.data());
+  map_->now.squared_distances(features_.data(), sees_older, activations_.data());
   // Relative to the nearest: far from all centres every exponential would be zero.
   const Scalar nearest = kernels.smallest(centres, activations_.data());
   const Scalar scale = Scalar(0.5) / (map_->squared_width + map_->widening * nearest);
   const Scalar sum = kernels.exponentials(centres, nearest, scale, activations_.data());
-  const int slots = model_->layout.num_slots();
-  const int rows = both_styles ? map_->styles.num_rows() : math::padded(slots, math::kTileRows);
-  map_->styles.multiply(rows, activations_.data(), styles_.data());
-  for (int row = 0; row < rows; ++row) styles_[at(row)] /= sum;
+  map_->styles.multiply(activations_.data(), styles_.data());
+  for (Scalar& style : styles_) style /= sum;
 }
 
 template <typename Scalar>
@@ -144,22 +123,22 @@ void RadialStep<Scalar>::measure_details(const Scalar* input) {
   }
   for (std::size_t part = 0; part < energy_.size(); ++part) {
     const Scalar energy = std::min(sorted_[part], kLargest);
-    next_energy_[part] = started_ ? energy_[part] + level_gain_ * (energy - energy_[part]) : energy;
+    energy_[part] = started_ ? energy_[part] + level_gain_ * (energy - energy_[part]) : energy;
   }
 }
 
 /// A body that is unlike the examples as a whole, as another performer's is, has no part that stands out.
 template <typename Scalar>
 void RadialStep<Scalar>::compare_details() {
-  const auto joints = next_energy_.begin() + kLanes;
+  const auto joints = energy_.begin() + kLanes;
   const auto last = std::copy(joints, joints + model_->layout.num_joints(),
-                              std::copy_n(next_energy_.begin(), kRootDetailParts, sorted_.begin()));
+                              std::copy_n(energy_.begin(), kRootDetailParts, sorted_.begin()));
   const auto middle = sorted_.begin() + (last - sorted_.begin()) / 2;
   std::nth_element(sorted_.begin(), middle, last);
   const Scalar half = static_cast<Scalar>(kUnusual * kUnusual) * std::max(Scalar(1), *middle);
   for (std::size_t part = 0; part < unusual_.size(); ++part) {
     // From 0, what every example has, to 1, what none has.
-    const Scalar square = next_energy_[part] / half;
+    const Scalar square = energy_[part] / half;
     unusual_[part] = square * square / (Scalar(1) + square * square);
   }
 }
@@ -176,14 +155,13 @@ void RadialStep<Scalar>::measure_what_stands_out() {
       take(RowLayout::kRotations + plane * layout.plane() + joint, unusual_[at(kLanes + joint)]);
     }
   }
-  model_->context.multiply(model_->context.num_rows(), standing_out_.data(), taken_.data());
+  model_->context.multiply(standing_out_.data(), taken_.data());
 }
 
 template <typename Scalar>
 void RadialStep<Scalar>::filter() {
   const int slots = model_->layout.num_slots();
   const Scalar* style = styles_.data() + slots;
-  energy_ = next_energy_;
   if (!started_) {
     std::copy(style, style + slots, smoothed_.begin());
     smoothed_twice_ = smoothed_;

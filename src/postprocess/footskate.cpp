@@ -14,6 +14,7 @@
 #include <string>
 
 #include <strut/core/error.h>
+#include <strut/math/low_pass.h>
 #include <strut/math/rotation.h>
 #include <strut/postprocess/footskate.h>
 
@@ -125,8 +126,8 @@ FootskateCleaner::FootskateCleaner(std::shared_ptr<const Skeleton> skeleton, con
   release_ = std::max(ramp_, static_cast<int>(std::lround(kRelease * frame_rate)));
   least_reach_ = ramp_ / 2;
   kernel_ = bump(ramp_ - least_reach_);
-  axis_gain_ = 1.0 - std::exp(-1.0 / (frame_rate * kAxisMemory));
-  follow_gain_ = 1.0 - std::exp(-1.0 / (frame_rate * std::max(options.body_follows, 1e-9)));
+  axis_gain_ = math::low_pass_gain(frame_rate * kAxisMemory);
+  follow_gain_ = math::low_pass_gain(frame_rate * options.body_follows);
 
   frames_.resize(at(latency_ + 1));
   const Pose pose = rest_pose(*skeleton);

@@ -80,11 +80,12 @@ void scatter(const std::vector<int>& indices, const Scalar* lanes, Scalar* to) {
 
 template <typename Scalar>
 LtiBank<Scalar>::LtiBank(const std::vector<BankedSystem>& systems, int input_size, int output_size)
-    : input_size_(input_size), given_(at(output_size)), places_(systems.size()) {
+    : places_(systems.size()) {
+  std::vector<bool> given(at(output_size));
   for (const BankedSystem& banked : systems) {
     check("inputs", banked.inputs, banked.system->num_inputs(), input_size);
     check("outputs", banked.outputs, banked.system->num_outputs(), output_size);
-    for (const int output : banked.outputs) given_[at(output)] = true;
+    for (const int output : banked.outputs) given[at(output)] = true;
   }
   const std::vector<int> order = order_of(systems);
   for (std::size_t first = 0; first < order.size(); first += kLanes) {
@@ -94,7 +95,7 @@ LtiBank<Scalar>::LtiBank(const std::vector<BankedSystem>& systems, int input_siz
     for (std::size_t lane = 0; lane < members.size(); ++lane) {
       places_[at(members[lane])] = {static_cast<int>(groups_.size()), static_cast<int>(lane)};
     }
-    groups_.push_back(make_group(systems, members));
+    groups_.push_back(make_group(systems, members, input_size, given));
     const Group& group = groups_.back();
     state_size_ += group.states * kLanes;
     scratch_size_ = std::max(scratch_size_, (group.states + group.inputs + group.outputs) * kLanes);
@@ -103,7 +104,8 @@ LtiBank<Scalar>::LtiBank(const std::vector<BankedSystem>& systems, int input_siz
 
 template <typename Scalar>
 typename LtiBank<Scalar>::Group LtiBank<Scalar>::make_group(const std::vector<BankedSystem>& systems,
-                                                            const std::vector<int>& members) const {
+                                                            const std::vector<int>& members, int input_size,
+                                                            const std::vector<bool>& given) const {
   Group group;
   group.first_state = state_size_;
   for (const int member : members) {
@@ -132,9 +134,9 @@ typename LtiBank<Scalar>::Group LtiBank<Scalar>::make_group(const std::vector<Ba
     for (std::size_t i = 0; i < banked.inputs.size(); ++i) group.gather[i * kLanes + at(lane)] = banked.inputs[i];
     for (std::size_t i = 0; i < banked.outputs.size(); ++i) group.scatter[i * kLanes + at(lane)] = banked.outputs[i];
   }
-  group.input_at = begins_of(group.gather, [this](int index) { return index < input_size_; });
+  group.input_at = begins_of(group.gather, [=](int index) { return index < input_size; });
   group.output_at =
-      begins_of(group.scatter, [this](int index) { return at(index) < given_.size() && !given_[at(index)]; });
+      begins_of(group.scatter, [&given](int index) { return at(index) < given.size() && !given[at(index)]; });
   group.gathers = group.input_at.empty() && group.inputs > 0;
   group.scatters = group.output_at.empty();
   if (group.gathers) group.input_at = one_after_the_other(group.inputs);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "translate/feet.h"
 
-#include <algorithm>
-
 #include <strut/core/error.h>
 #include <strut/representation/representation.h>
 
@@ -17,13 +15,6 @@ FootskateCleaner cleaner_of(const StyleModel& model, const FootskateOptions& opt
   const auto legs = motion::find_legs(Motion(skeleton, 1.0, {representation::mean_pose(model.output())}));
   if (!legs) throw InvalidArgument("clean_feet", "a body with two legs", "one in which none are found");
   return {skeleton, *legs, model.frame_rate(), options};
-}
-
-void copy(const PoseView<const double>& from, const auto& to) {
-  using Number = std::remove_pointer_t<decltype(to.rotations)>;
-  const auto convert = [](double number) { return static_cast<Number>(number); };
-  std::transform(from.rotations, from.rotations + 4 * from.num_joints, to.rotations, convert);
-  std::transform(from.translations, from.translations + 3 * from.num_joints, to.translations, convert);
 }
 
 }  // namespace
@@ -48,19 +39,17 @@ void Feet::vote(std::size_t model, double weight) {
 
 template <typename Scalar>
 bool Feet::push(const PoseView<const Scalar>& pose, const PoseView<Scalar>& output) {
-  const PoseView<double> own = view(pose_);
-  std::copy_n(pose.rotations, 4 * pose.num_joints, own.rotations);
-  std::copy_n(pose.translations, 3 * pose.num_joints, own.translations);
+  copy_pose(pose, view(pose_));
   constexpr double kHalf = 0.5;
   if (!cleaner_.push(pose_, {votes_[0] > kHalf, votes_[1] > kHalf}, cleaned_)) return false;
-  copy(view(std::as_const(cleaned_)), output);
+  copy_pose(view(cleaned_), output);
   return true;
 }
 
 template <typename Scalar>
 bool Feet::flush(const PoseView<Scalar>& output) {
   if (!cleaner_.flush(cleaned_)) return false;
-  copy(view(std::as_const(cleaned_)), output);
+  copy_pose(view(cleaned_), output);
   return true;
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include <strut/math/low_pass.h>
+
 namespace strut::translate {
 
 /// A few numbers on their way to where they were told to go.
@@ -14,7 +16,7 @@ class Glide {
  public:
   /// `reach` [frames]: of each filter; 0 jumps. `start`: where the numbers are at first.
   Glide(std::vector<double> start, double reach)
-      : gain_(reach > 0.0 ? 1.0 - std::exp(-1.0 / reach) : 1.0), target_(start), middle_(start), value_(start) {}
+      : gain_(math::low_pass_gain(reach)), target_(start), middle_(start), value_(start) {}
 
   /// Where to go: as many numbers. No allocation.
   template <typename Numbers>

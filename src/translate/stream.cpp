@@ -172,7 +172,7 @@ void Stream<Scalar>::encode(const PoseView<const Scalar>& input) {
     decoder_.carry(before, branches_.front().encoder.placement());
     for (Branch<Scalar>& branch : branches_) branch.guess_velocities();
   }
-  for (Branch<Scalar>& branch : branches_) branch.keep_velocities(branch.input.data());
+  for (Branch<Scalar>& branch : branches_) branch.keep_velocities();
 }
 
 template <typename Scalar>
@@ -241,7 +241,7 @@ void Stream<Scalar>::warm_up(const Motion& opening, int frames) {
       branch.share.advance();
     }
     branch.step.layout().pack(rows.row(0), branch.input.data());
-    branch.keep_velocities(branch.input.data());
+    branch.keep_velocities();
   }
 }
 

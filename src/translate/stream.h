@@ -43,8 +43,8 @@ struct Branch {
           has_velocities ? velocities[static_cast<std::size_t>(dof)] : static_cast<Scalar>(mean[dof]);
     }
   }
-  void keep_velocities(const Scalar* row) {
-    std::copy_n(row, representation::kHeight, velocities.begin());
+  void keep_velocities() {
+    std::copy_n(input.begin(), representation::kHeight, velocities.begin());
     has_velocities = true;
   }
 

@@ -15,17 +15,10 @@
 namespace strut {
 namespace {
 
+/// Writes a pose of less than double precision.
 template <typename Scalar>
-void convert(const PoseView<const double>& from, const PoseView<Scalar>& to) {
-  const auto convert = [](double number) { return static_cast<Scalar>(number); };
-  std::transform(from.rotations, from.rotations + 4 * from.num_joints, to.rotations, convert);
-  std::transform(from.translations, from.translations + 3 * from.num_joints, to.translations, convert);
-}
-
-template <typename Scalar>
-void convert(const PoseView<Scalar>& from, Pose& to) {
-  std::copy_n(from.rotations, 4 * from.num_joints, view(to).rotations);
-  std::copy_n(from.translations, 3 * from.num_joints, view(to).translations);
+void copy_to(const PoseView<Scalar>& from, Pose& to) {
+  copy_pose(from, view(to));
   for (Eigen::Quaterniond& rotation : to.rotations) rotation.normalize();  // to the length that double asks for
 }
 
@@ -75,9 +68,9 @@ bool BasicTranslator<Scalar>::push(const Pose& input, Pose& output) {
     return push(view(input), view(output));
   } else {
     const PoseView<Scalar> converted = stream_->converted();
-    convert(view(input), converted);
+    copy_pose(view(input), converted);
     if (!push(converted, converted)) return false;
-    convert(converted, output);
+    copy_to(converted, output);
     return true;
   }
 }
@@ -102,7 +95,7 @@ bool BasicTranslator<Scalar>::flush(Pose& output) {
   } else {
     const PoseView<Scalar> converted = stream_->converted();
     if (!flush(converted)) return false;
-    convert(converted, output);
+    copy_to(converted, output);
     return true;
   }
 }

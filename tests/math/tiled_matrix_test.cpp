@@ -29,7 +29,7 @@ TYPED_TEST(TiledMatrixOf, MultipliesAndMeasuresAsEigenDoes) {
     const auto expect = [&](const Eigen::VectorXd& expected) {
       for (int i = 0; i < rows; ++i) EXPECT_NEAR(to[static_cast<std::size_t>(i)], expected[i], this->kRounding);
     };
-    matrix.multiply(matrix.num_rows(), from.data(), to.data());
+    matrix.multiply(from.data(), to.data());
     expect(dense * x);
     for (int i = rows; i < matrix.num_rows(); ++i) EXPECT_EQ(to[static_cast<std::size_t>(i)], TypeParam(0));
     const Eigen::VectorXd distances = (dense.rowwise() - x.transpose()).rowwise().squaredNorm();

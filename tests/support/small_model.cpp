@@ -110,6 +110,13 @@ StyleModelParts radial_parts(const Motion& clip, int centres) {
   return parts;
 }
 
+std::vector<std::shared_ptr<const StyleModel>> remembering_models(const Motion& clip) {
+  auto parts = copying_parts(clip);
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 1);
+  for (auto& block : parts.blocks) block.system = sysid::LtiSystem(0.5 * one, one, 0.3 * one, 0.7 * one);
+  return {std::make_shared<const StyleModel>(std::move(parts)), std::make_shared<const StyleModel>(radial_parts(clip))};
+}
+
 double largest_difference(const Motion& a, const Motion& b) {
   double largest = a.num_frames() == b.num_frames() ? 0.0 : 1e9;
   for (int t = 0; t < std::min(a.num_frames(), b.num_frames()); ++t) {

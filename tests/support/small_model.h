@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <strut/model/style_model.h>
 #include <strut/motion/motion.h>
@@ -33,6 +34,9 @@ RadialMap some_radial_map(int num_dofs, int centres);
 
 /// The copying model's parts with two contexts and a radial map in place of its blocks.
 StyleModelParts radial_parts(const Motion& clip, int centres = 5);
+
+/// A model of each kind, linear and radial, that remembers what went before.
+std::vector<std::shared_ptr<const StyleModel>> remembering_models(const Motion& clip);
 
 /// The largest distance between joints [m] and between joint rotations (sine of half the angle) of two motions.
 double largest_difference(const Motion& a, const Motion& b);

@@ -41,19 +41,10 @@ TEST(TranslateMotion, ResamplesOtherFrameRatesThereAndBack) {
   EXPECT_EQ(diagnostics.entries().size(), 1U);
 }
 
-/// A model of each kind that remembers what went before.
-std::vector<std::shared_ptr<const StyleModel>> remembering_models(const Motion& clip) {
-  auto parts = test::copying_parts(clip);
-  const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 1);
-  for (auto& block : parts.blocks) block.system = sysid::LtiSystem(0.5 * one, one, 0.3 * one, 0.7 * one);
-  return {std::make_shared<const StyleModel>(std::move(parts)),
-          std::make_shared<const StyleModel>(test::radial_parts(clip))};
-}
-
 TEST(TranslateMotion, IsTheTranslatorFrameByFrameToTheBit) {
   const Motion clip = test::turning_motion(30.0, 2.0);
   std::vector<Pose> frames = clip.frames();
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     const Motion whole =
         translate_motion(model, clip, {.controls = {.strength = 0.8}, .retime = false, .warm_up = 0.0});
     Translator translator(model, {.controls = {.strength = 0.8}});
@@ -65,7 +56,7 @@ TEST(TranslateMotion, IsTheTranslatorFrameByFrameToTheBit) {
 TEST(TranslateMotion, IsBlindToWhereTheClipStands) {
   const Motion clip = test::turning_motion(30.0, 2.0);
   const Motion moved = motion::moved(clip, {2, 0, 5}, 1.0);
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     EXPECT_LT(test::largest_difference(motion::moved(translate_motion(model, clip), {2, 0, 5}, 1.0),
                                        translate_motion(model, moved)),
               kRoundTrip);
@@ -138,7 +129,7 @@ TEST(Translator, ChangesNothingWhenItRefusesAFrame) {
 
 TEST(Translator, ForgetsOnReset) {
   const Motion clip = test::turning_motion(30.0, 1.0);
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     Translator translator(model);
     Pose first, again;
     translator.push(clip.frame(0), first);
@@ -151,7 +142,7 @@ TEST(Translator, ForgetsOnReset) {
 
 TEST(Translator, AllocatesNothingOnceTheOutputHasItsSize) {
   const Motion clip = test::turning_motion(30.0, 1.0);
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     Translator translator(model);
     Pose output;
     EXPECT_GT(test::count_allocations([&] { translator.push(clip.frame(0), output); }), 0);  // it gets its size

@@ -28,15 +28,6 @@ using Models = std::vector<std::shared_ptr<const StyleModel>>;
 constexpr double kRate = 30.0;
 constexpr double kSinglePrecision = 1e-4;  // [m] after two seconds of walking: rounded steps add up
 
-/// A model of each kind that remembers what went before.
-Models remembering_models(const Motion& clip) {
-  auto parts = test::copying_parts(clip);
-  const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 1);
-  for (auto& block : parts.blocks) block.system = sysid::LtiSystem(0.5 * one, one, 0.3 * one, 0.7 * one);
-  return {std::make_shared<const StyleModel>(std::move(parts)),
-          std::make_shared<const StyleModel>(test::radial_parts(clip))};
-}
-
 Motion clip_of_two_seconds() {
   return test::turning_motion(kRate, 2.0);
 }
@@ -54,7 +45,7 @@ std::vector<Pose> run(BasicTranslator<Scalar>& translator, const std::vector<Pos
 
 TEST(Translator, IsNearlyTheSameInSinglePrecision) {
   const Motion clip = clip_of_two_seconds();
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     Translator precise(model);
     FloatTranslator rounded(model);
     const Motion a(clip.shared_skeleton(), kRate, run(precise, clip.frames()));
@@ -67,7 +58,7 @@ TEST(Translator, IsNearlyTheSameInSinglePrecision) {
 
 TEST(Translator, MayWriteWhereItReads) {
   const Motion clip = clip_of_two_seconds();
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     Translator apart(model), in_place(model);
     const std::vector<Pose> expected = run(apart, clip.frames());
     for (int t = 0; t < clip.num_frames(); ++t) {
@@ -82,7 +73,7 @@ TEST(Translator, GoesOnFromASnapshotAsIfNothingHadHappened) {
   const Motion clip = clip_of_two_seconds();
   const std::vector<Pose> first(clip.frames().begin(), clip.frames().begin() + 20);
   const std::vector<Pose> rest(clip.frames().begin() + 20, clip.frames().end());
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     Translator translator(model);
     run(translator, first);
     const Translator snapshot = translator;
@@ -97,13 +88,13 @@ TEST(Translator, GoesOnFromASnapshotAsIfNothingHadHappened) {
     EXPECT_LT(translator.state_size(), 64U * 1024U);
   }
   Translator other(test::copying_model(clip));
-  Translator translator(remembering_models(clip).front());
+  Translator translator(test::remembering_models(clip).front());
   EXPECT_THROW(translator.restore(other), InvalidArgument);
 }
 
 TEST(Translator, IsAnyOfItsModelsWhereThatHasAllTheWeight) {
   const Motion clip = clip_of_two_seconds();
-  const Models models = remembering_models(clip);
+  const Models models = test::remembering_models(clip);
   for (std::size_t only = 0; only < models.size(); ++only) {
     TranslatorControls controls;
     controls.weights = {0.0, 0.0};
@@ -131,7 +122,7 @@ TEST(Translator, RefusesModelsThatDoNotFitTogether) {
 TEST(Translator, GoesAlongWhereTheBodyIsPutElsewhereAndBack) {
   const Motion clip = clip_of_two_seconds();
   const Motion away = motion::moved(clip, {3e5, 0, -1e5}, 1.0);
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     Translator still(model), moved(model);
     Pose expected, pose;
     for (int t = 0; t < clip.num_frames(); ++t) {
@@ -148,7 +139,7 @@ TEST(Translator, WarmedUpItBeginsAsIfItHadRunBefore) {
   const Motion clip = test::turning_motion(kRate, 4.0);
   constexpr int kBefore = 60;
   const std::vector<Pose> rest(clip.frames().begin() + kBefore, clip.frames().end());
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     const auto first_error = [&](const std::function<void(Translator&)>& prepare) {
       Translator settled(model), fresh(model);
       Pose expected, pose;
@@ -164,7 +155,7 @@ TEST(Translator, WarmedUpItBeginsAsIfItHadRunBefore) {
     const double warm = first_error([&](Translator& fresh) { fresh.warm_up(rest, 10); });
     EXPECT_LT(warm, cold);
   }
-  Translator running(remembering_models(clip).front());
+  Translator running(test::remembering_models(clip).front());
   Pose pose;
   running.push(clip.frame(0), pose);
   EXPECT_THROW(running.warm_up(rest, 10), InvalidArgument);
@@ -176,7 +167,7 @@ TEST(TranslatorBatch, IsAsManyTranslatorsToTheBit) {
   const Motion clip = clip_of_two_seconds();
   constexpr int kCharacters = 3;
   const auto joints = static_cast<std::size_t>(clip.skeleton().num_joints());
-  for (const auto& model : remembering_models(clip)) {
+  for (const auto& model : test::remembering_models(clip)) {
     TranslatorBatch<double> batch(model, kCharacters);
     std::vector<Translator> alone(kCharacters, Translator(model));
     const TranslatorControls half{.strength = 0.5};

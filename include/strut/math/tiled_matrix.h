@@ -19,8 +19,8 @@ class TiledMatrix {
   [[nodiscard]] int num_rows() const noexcept { return rows_; }
   [[nodiscard]] int num_cols() const noexcept { return cols_; }
 
-  /// y = this x, of the first `rows` rows (whole tiles). x: num_cols() numbers. No allocation.
-  void multiply(int rows, const Scalar* x, Scalar* y) const;
+  /// y (num_rows()) = this x (num_cols()). No allocation.
+  void multiply(const Scalar* x, Scalar* y) const;
 
   /// y = (or +=, if `add`) squared distances of x (num_cols()) to every row. No allocation.
   void squared_distances(const Scalar* x, bool add, Scalar* y) const;

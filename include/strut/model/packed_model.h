@@ -26,7 +26,6 @@ struct PackedRadialMap {
   PackedRadialMap(const StyleModelParts& parts, const representation::RowLayout& layout);
 
   std::vector<int> lags;                       ///< [frames] (lags)
-  int num_centres;                             ///< before they are filled up
   Scalar squared_width, widening;              ///< of RadialBasis
   math::TiledMatrix<Scalar> now, before;       ///< the centres' features: of the newest context, of the older ones
   math::TiledMatrix<Scalar> styles;            ///< (slots of the input style, then of the output style) x centres

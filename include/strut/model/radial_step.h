@@ -46,8 +46,11 @@ class RadialStep {
   using Array = math::AlignedVector<Scalar>;
 
   void see(const Scalar* context);
-  void remember();
-  void look_up(bool both_styles);
+  /// The context of so many frames ago.
+  [[nodiscard]] auto context_of(int age) {
+    return history_.begin() + (newest_ + num_frames_ - age) % num_frames_ * num_contexts_;
+  }
+  void look_up();
   void measure_details(const Scalar* input);
   void compare_details();
   void measure_what_stands_out();
@@ -60,13 +63,13 @@ class RadialStep {
   int num_contexts_, num_frames_;
   bool started_ = false;
   int newest_ = 0;
-  Array history_;                                      // frames x contexts, a ring
-  Array features_, distances_, activations_, styles_;  // of the basis; both styles, normalized, at this frame
-  Array taken_;                                        // from the context, as detail that stood out a frame ago
-  Array smoothed_, smoothed_twice_;                    // of the output style
-  Array details_, slow_details_, standing_out_;        // per slot, in its units
-  Array turned_;                                       // details of joints, in the output style's axes
-  Array energy_, next_energy_, unusual_, sorted_;      // per part: mean square in deviations, filtered; 0 to 1
+  Array history_;                                // frames x contexts, a ring
+  Array features_, activations_, styles_;        // of the basis; both styles, normalized, at this frame
+  Array taken_;                                  // from the context, as detail that stood out a frame ago
+  Array smoothed_, smoothed_twice_;              // of the output style
+  Array details_, slow_details_, standing_out_;  // per slot, in its units
+  Array turned_;                                 // details of joints, in the output style's axes
+  Array energy_, unusual_, sorted_;              // per part: mean square in deviations, filtered; 0 to 1
 };
 
 }  // namespace strut

@@ -2,6 +2,7 @@
 // One frame as plain numbers: what the runtime reads and writes, in float or double, wherever an engine keeps it.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include <strut/motion/motion.h>
@@ -36,6 +37,14 @@ inline PoseView<double> view(Pose& pose) noexcept {
   if (pose.rotations.empty()) return {};
   return {pose.rotations.front().coeffs().data(), pose.translations.front().data(),
           static_cast<int>(pose.rotations.size())};
+}
+
+/// Writes the numbers of one pose to another of as many joints, which may be of the other precision.
+template <typename From, typename To>
+void copy_pose(const PoseView<From>& from, const PoseView<To>& to) {
+  const auto convert = [](auto number) { return static_cast<To>(number); };
+  std::transform(from.rotations, from.rotations + 4 * from.num_joints, to.rotations, convert);
+  std::transform(from.translations, from.translations + 3 * from.num_joints, to.translations, convert);
 }
 
 }  // namespace strut

@@ -52,10 +52,10 @@ class LtiBank {
     int group, lane;
   };
 
-  [[nodiscard]] Group make_group(const std::vector<BankedSystem>& systems, const std::vector<int>& members) const;
+  /// `given`: per output of the bank, whether a system gives it.
+  [[nodiscard]] Group make_group(const std::vector<BankedSystem>& systems, const std::vector<int>& members,
+                                 int input_size, const std::vector<bool>& given) const;
 
-  int input_size_;
-  std::vector<bool> given_;  // per output, whether a system gives it
   std::vector<Group> groups_;
   std::vector<Place> places_;  // per system
   int state_size_ = 0, scratch_size_ = 0;
