@@ -23,9 +23,9 @@
 #include <strut/core/error.h>
 #include <strut/core/file.h>
 #include <strut/io/bvh.h>
-#include <strut/learn/alignment_features.h>
 #include <strut/motion/legs.h>
 #include <strut/motion/resample.h>
+#include <strut/representation/alignment_features.h>
 #include <strut/representation/representation.h>
 
 namespace strut::cli {
@@ -74,7 +74,7 @@ std::string file_name(const std::string& path) {
 /// Two clips of one hierarchy at one frame rate, and what of them is compared.
 struct Clips {
   Motion input, output;
-  learn::AlignmentPair features;
+  representation::AlignmentPair features;
 };
 
 Clips read_clips(const AlignOptions& options) {
@@ -90,9 +90,9 @@ Clips read_clips(const AlignOptions& options) {
     if (motion->num_frames() < 2) throw BadInput(path, "a clip to align needs at least two frames");
   }
   check_same_skeleton(options.output, output.skeleton(), options.input, input.skeleton());
-  using learn::StyleUnits;
-  learn::AlignmentPair features =
-      learn::alignment_features(input, output, options.shared_units ? StyleUnits::kShared : StyleUnits::kOwn);
+  using representation::StyleUnits;
+  representation::AlignmentPair features =
+      representation::alignment_features(input, output, options.shared_units ? StyleUnits::kShared : StyleUnits::kOwn);
   return {std::move(input), std::move(output), std::move(features)};
 }
 
@@ -102,7 +102,7 @@ struct Answer {
   std::vector<double> objective;  ///< after each round; DTW and the time warp alone have none
 };
 
-Answer solve(const learn::AlignmentPair& features, Method method, const AlignOptions& options) {
+Answer solve(const representation::AlignmentPair& features, Method method, const AlignOptions& options) {
   const auto& [input, output] = features;
   switch (method) {
     case Method::kImw: {

@@ -8,7 +8,7 @@
 #include <strut/align/iterative_motion_warping.h>
 #include <strut/core/error.h>
 #include <strut/generate/walker.h>
-#include <strut/learn/alignment_features.h>
+#include <strut/representation/alignment_features.h>
 
 int main() {
   try {
@@ -18,7 +18,7 @@ int main() {
     const auto limping = strut::generate::generate_walk(content, {.cadence_scale = 0.85, .limp = 0.7}, 30.0);
 
     // 2. Alignment sees signals, not skeletons: a row per frame, a column per degree of freedom, each of unit variance.
-    const auto signals = strut::learn::alignment_features(normal.motion, limping.motion);
+    const auto signals = strut::representation::alignment_features(normal.motion, limping.motion);
     const auto aligned = strut::align::iterative_motion_warping(signals.input, signals.output);
     std::printf("%zu rounds; E from %.0f to %.0f\n", aligned.objective.size(), aligned.objective.front(),
                 aligned.objective.back());

@@ -17,7 +17,7 @@
 #include <strut/align/time_warp.h>
 #include <strut/generate/walker.h>
 #include <strut/io/bvh.h>
-#include <strut/learn/alignment_features.h>
+#include <strut/representation/alignment_features.h>
 
 namespace {
 
@@ -112,7 +112,7 @@ std::vector<Pair> pairs() {
 
 // ---- how it is aligned ----------------------------------------------------------------------------------------------
 
-using Signals = learn::AlignmentPair;
+using Signals = representation::AlignmentPair;
 using Warp = Eigen::VectorXd;
 
 Warp imw(const Signals& s) {
@@ -191,7 +191,7 @@ void print_row(const char* name, const Figures& all) {
               100.0 * all.share_at_limit());
 }
 
-void print_tables(const char* heading, const std::vector<Pair>& all, learn::StyleUnits units) {
+void print_tables(const char* heading, const std::vector<Pair>& all, representation::StyleUnits units) {
   const auto& columns = methods();
   std::vector<Figures> overall(columns.size());
   std::vector<std::pair<std::string, std::vector<Figures>>> by_style;
@@ -199,7 +199,7 @@ void print_tables(const char* heading, const std::vector<Pair>& all, learn::Styl
     if (by_style.empty() || by_style.back().first != pair.style) {
       by_style.emplace_back(pair.style, std::vector<Figures>(columns.size()));
     }
-    const Signals signals = learn::alignment_features(pair.input.motion, pair.output.motion, units);
+    const Signals signals = representation::alignment_features(pair.input.motion, pair.output.motion, units);
     const std::vector<double> truth = generate::true_correspondence(pair.input, pair.output);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const Warp warp = columns[k].solve(signals);
@@ -253,8 +253,9 @@ int main(int argc, char** argv) {
       return 0;
     }
     print_truth(all);
-    print_tables("Each motion in units of its own style, as `strut learn` aligns", all, learn::StyleUnits::kOwn);
-    print_tables("Postures as they are: one mean and unit for both", all, learn::StyleUnits::kShared);
+    print_tables("Each motion in units of its own style, as `strut learn` aligns", all,
+                 representation::StyleUnits::kOwn);
+    print_tables("Postures as they are: one mean and unit for both", all, representation::StyleUnits::kShared);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "correspondence_study: %s\n", error.what());

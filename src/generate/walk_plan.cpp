@@ -185,7 +185,7 @@ Knots make_knots(const std::vector<Landing>& landings, const std::vector<Step>& 
 }
 
 /// Content time at which the body passes the distance `foothold` between two landings.
-double time_over(const SmoothCurve& distance, double foothold, double begin, double end) {
+double time_over(const math::SmoothCurve& distance, double foothold, double begin, double end) {
   if (distance.at(end) - distance.at(begin) < 1e-6) return (begin + end) / 2.0;  // stepping on the spot
   for (int i = 0; i < 60; ++i) {
     const double middle = (begin + end) / 2.0;
@@ -217,7 +217,7 @@ void roll_plant(Plant& plant, std::size_t k, const std::vector<Landing>& landing
 }
 
 Plant make_plant(std::size_t k, const std::vector<Landing>& landings, const std::vector<Step>& steps,
-                 const SmoothCurve& distance, const SmoothCurve& heading, const GroundPath& path,
+                 const math::SmoothCurve& distance, const math::SmoothCurve& heading, const GroundPath& path,
                  const WalkContent& content, const WalkStyle& style) {
   const Landing& landing = landings[k];
   const bool is_last = k + 1 == landings.size();
@@ -243,7 +243,7 @@ Plant make_plant(std::size_t k, const std::vector<Landing>& landings, const std:
 
 }  // namespace
 
-GroundPath::GroundPath(const SmoothCurve& distance, const SmoothCurve& heading, const Schedule& direction)
+GroundPath::GroundPath(const math::SmoothCurve& distance, const math::SmoothCurve& heading, const Schedule& direction)
     : begin_(distance.x().front()) {
   const auto velocity = [&](double s) -> Eigen::Vector3d {
     const double angle = heading.at(s) + direction.at(s);
@@ -272,15 +272,15 @@ WalkPlan plan_walk(const WalkContent& content, const WalkStyle& style) {
   const std::vector<Landing> landings = plan_landings(content);
   const std::vector<Step> steps = style_steps(landings, style);
   const Knots knots = make_knots(landings, steps);
-  const SmoothCurve distance(knots.s, knots.distance);
-  const SmoothCurve heading(knots.s, knots.heading);
-  WalkPlan plan{SmoothCurve(knots.s, knots.time),
-                SmoothCurve(knots.s, knots.phase),
+  const math::SmoothCurve distance(knots.s, knots.distance);
+  const math::SmoothCurve heading(knots.s, knots.heading);
+  WalkPlan plan{math::SmoothCurve(knots.s, knots.time),
+                math::SmoothCurve(knots.s, knots.phase),
                 distance,
                 heading,
-                SmoothCurve(knots.s, knots.reach),
-                SmoothCurve(knots.s, knots.gait),
-                SmoothCurve(knots.s, knots.liveliness),
+                math::SmoothCurve(knots.s, knots.reach),
+                math::SmoothCurve(knots.s, knots.gait),
+                math::SmoothCurve(knots.s, knots.liveliness),
                 GroundPath(distance, heading, content.travel_direction),
                 {}};
   for (std::size_t k = 0; k < landings.size(); ++k) {

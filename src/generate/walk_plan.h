@@ -31,7 +31,7 @@ struct Plant {
 /// The path on the ground as a function of content time, integrated once on a fixed grid.
 class GroundPath {
  public:
-  GroundPath(const SmoothCurve& distance, const SmoothCurve& heading, const Schedule& direction);
+  GroundPath(const math::SmoothCurve& distance, const math::SmoothCurve& heading, const Schedule& direction);
   [[nodiscard]] Eigen::Vector3d at(double s) const;
 
  private:
@@ -40,13 +40,13 @@ class GroundPath {
 };
 
 struct WalkPlan {
-  SmoothCurve time;        ///< the style's time [s]
-  SmoothCurve phase;       ///< [cycles]
-  SmoothCurve distance;    ///< of the body along the path [m]
-  SmoothCurve heading;     ///< [rad]
-  SmoothCurve reach;       ///< step length against the usual; 0 while standing
-  SmoothCurve gait;        ///< 1 walking, 0 standing
-  SmoothCurve liveliness;  ///< of the upper body: 1 with some variation
+  math::SmoothCurve time;        ///< the style's time [s]
+  math::SmoothCurve phase;       ///< [cycles]
+  math::SmoothCurve distance;    ///< of the body along the path [m]
+  math::SmoothCurve heading;     ///< [rad]
+  math::SmoothCurve reach;       ///< step length against the usual; 0 while standing
+  math::SmoothCurve gait;        ///< 1 walking, 0 standing
+  math::SmoothCurve liveliness;  ///< of the upper body: 1 with some variation
   GroundPath path;
   std::array<std::vector<Plant>, 2> plants;  ///< by foot, ascending
 };

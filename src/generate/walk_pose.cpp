@@ -200,7 +200,7 @@ double WalkPoser::reachable_height(double s) const {
 }
 
 /// Between two knots of the plan the base may be as high as the worst moment allows; a knot takes the lower neighbour.
-SmoothCurve WalkPoser::base_height(double duration) const {
+math::SmoothCurve WalkPoser::base_height(double duration) const {
   const std::vector<double>& knots = plan_.phase.x();
   const auto first = std::upper_bound(knots.begin(), knots.end(), 0.0) - knots.begin() - 1;
   const auto last = std::lower_bound(knots.begin(), knots.end(), duration) - knots.begin();

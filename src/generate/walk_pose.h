@@ -60,7 +60,7 @@ class WalkPoser {
   [[nodiscard]] Pelvis pelvis(double s) const;
   [[nodiscard]] double bad_stance(double phase) const;
   [[nodiscard]] double reachable_height(double s) const;
-  [[nodiscard]] SmoothCurve base_height(double duration) const;
+  [[nodiscard]] math::SmoothCurve base_height(double duration) const;
   void pose_upper_body(double s, const Pelvis& pelvis, Pose& pose) const;
   void pose_arm(double s, int side, Pose& pose) const;
   void pose_leg(double s, int side, const Pelvis& pelvis, Pose& pose) const;
@@ -70,7 +70,7 @@ class WalkPoser {
   Schedule direction_;
   std::shared_ptr<const Skeleton> skeleton_;
   WalkPlan plan_;
-  SmoothCurve base_height_;
+  math::SmoothCurve base_height_;
 };
 
 }  // namespace strut::generate::detail

@@ -14,7 +14,7 @@
 
 #include <strut/align/correspondence.h>
 #include <strut/core/error.h>
-#include <strut/learn/alignment_features.h>
+#include <strut/representation/alignment_features.h>
 
 namespace strut::learn {
 namespace {
@@ -56,10 +56,11 @@ class PairAligner {
     align::IterativeMotionWarpingOptions options = options_.alignment;
     options.slope_limit = slope_limit_of(pair);
     try {
-      return PairWarp{&pair, align::iterative_motion_warping(
-                                 alignment_features(input_of(pair), input_scaling_, output_scaling_),
-                                 alignment_features(output_of(pair), output_scaling_, input_scaling_), options)
-                                 .correspondence.differential_warp};
+      return PairWarp{&pair,
+                      align::iterative_motion_warping(
+                          representation::alignment_features(input_of(pair), input_scaling_, output_scaling_),
+                          representation::alignment_features(output_of(pair), output_scaling_, input_scaling_), options)
+                          .correspondence.differential_warp};
     } catch (const InvalidArgument& error) {
       diagnostics.warn(name_of(pair), std::string("left out: ") + error.what());
     }

@@ -5,8 +5,8 @@
 #include <string>
 
 #include <strut/learn/clip_pair.h>
-#include <strut/learn/gait_cycles.h>
 #include <strut/math/rotation.h>
+#include <strut/motion/gait_cycles.h>
 #include <strut/motion/kinematics.h>
 #include <strut/motion/legs.h>
 
@@ -101,12 +101,12 @@ Stretch whole_clip(const Motion& motion, int clip) {
   return stretch;
 }
 
-bool travels(const Motion& motion, const motion::Legs& legs, const std::vector<GaitCycle>& cycles) {
+bool travels(const Motion& motion, const motion::Legs& legs, const std::vector<motion::GaitCycle>& cycles) {
   if (cycles.empty()) return false;
   const Pose& pose = motion.frame(0);
   const double leg = pose.translations[at(legs.left.knee)].norm() + pose.translations[at(legs.left.ankle)].norm();
   double stride = 0.0;
-  for (const GaitCycle& cycle : cycles) {
+  for (const motion::GaitCycle& cycle : cycles) {
     stride += cycle.speed * cycle.duration / static_cast<double>(cycles.size());
   }
   return stride > kLeastStride * leg;
@@ -118,14 +118,14 @@ std::vector<Stretch> cycles_of(const Motion& motion, int clip, const PairingOpti
   if (!legs) return {};
   Diagnostics found;
   const auto footplants = postprocess::detect_footplants(motion, *legs, options.footplants);
-  const auto cycles = gait_cycles(motion, *legs, footplants, &found);
+  const auto cycles = motion::gait_cycles(motion, *legs, footplants, &found);
   if (!travels(motion, *legs, cycles)) return {};
   if (diagnostics != nullptr) {
     for (const Diagnostic& entry : found.entries()) diagnostics->note("clip " + std::to_string(clip), entry.message);
   }
   const Eigen::Quaterniond upright = motion::upright_reference(motion);
   std::vector<Stretch> stretches;
-  for (const GaitCycle& cycle : cycles) {
+  for (const motion::GaitCycle& cycle : cycles) {
     const double movement = movement_of(body_over(motion, upright, cycle.frames));
     stretches.push_back(
         {clip, cycle.frames, PairKind::kGaitCycle, cycle.foot, {cycle.duration, cycle.speed, cycle.turning, movement}});

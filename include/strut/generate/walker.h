@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include <strut/generate/schedule.h>
-#include <strut/generate/smooth_curve.h>
+#include <strut/math/smooth_curve.h>
 #include <strut/motion/annotation.h>
 #include <strut/motion/motion.h>
 
@@ -78,7 +78,7 @@ struct Walk {
   std::vector<motion::Footplant> footplants;
   /// The part of each footplant in which the heel is down too: neither ankle nor toe joint moves.
   std::vector<motion::Footplant> flat_footplants;
-  SmoothCurve timing;  ///< from content time to the motion's time [s]
+  math::SmoothCurve timing;  ///< from content time to the motion's time [s]
 };
 
 /// The walker's skeleton: 21 joints, hips as root, T-pose as rest, metres. `height` [m]: of the head's top above

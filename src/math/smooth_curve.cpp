@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <strut/core/error.h>
-#include <strut/generate/smooth_curve.h>
+#include <strut/math/smooth_curve.h>
 
-namespace strut::generate {
+namespace strut::math {
 namespace {
 
 constexpr int kBisections = 80;  // halves any interval below the rounding of its ends
@@ -76,4 +76,4 @@ double SmoothCurve::inverse(double y) const {
   return (low + high) / 2.0;
 }
 
-}  // namespace strut::generate
+}  // namespace strut::math

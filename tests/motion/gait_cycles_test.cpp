@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <strut/io/bvh.h>
-#include <strut/learn/gait_cycles.h>
+#include <strut/motion/gait_cycles.h>
 #include <strut/motion/kinematics.h>
 #include <strut/postprocess/footplant_detector.h>
 
-namespace strut::learn {
+namespace strut::motion {
 namespace {
 
 constexpr double kOneFrame = 1.0 / 30.0;  // what cutting at whole frames may cost [s]
@@ -103,4 +103,4 @@ TEST(GaitCycles, OfARealWalkAreRegular) {
 }
 
 }  // namespace
-}  // namespace strut::learn
+}  // namespace strut::motion

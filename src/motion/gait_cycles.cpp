@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string>
 
-#include <strut/learn/gait_cycles.h>
 #include <strut/math/rotation.h>
+#include <strut/motion/gait_cycles.h>
 #include <strut/motion/kinematics.h>
 
-namespace strut::learn {
+namespace strut::motion {
 namespace {
 
 // From the fastest sprinter's cycle to the slowest shuffle [s].
@@ -22,11 +22,11 @@ struct Course {
   std::vector<double> facing;          // unwrapped [rad]
 };
 
-Course course_of(const Motion& motion, const motion::Legs& legs) {
+Course course_of(const Motion& motion, const Legs& legs) {
   Course course;
-  motion::WorldPose world;
+  WorldPose world;
   for (const Pose& pose : motion.frames()) {
-    motion::forward_kinematics(motion.skeleton(), pose, world);
+    forward_kinematics(motion.skeleton(), pose, world);
     const Eigen::Vector3d& pelvis = world.positions[static_cast<std::size_t>(motion.skeleton().pelvis())];
     course.place.emplace_back(pelvis.x(), pelvis.z());
     const double facing = motion::facing(legs, world);
@@ -43,7 +43,7 @@ double path_length(double chord, double turning) {
   return half < 1e-6 ? chord : chord * half / std::sin(half);
 }
 
-std::vector<int> onsets_of(const std::vector<motion::Footplant>& footplants, int foot) {
+std::vector<int> onsets_of(const std::vector<Footplant>& footplants, int foot) {
   std::vector<int> onsets;
   for (const auto& plant : footplants) {
     if (plant.foot == foot && plant.begin > 0) onsets.push_back(plant.begin);
@@ -97,8 +97,8 @@ void drop_halts(std::vector<GaitCycle>& cycles, Diagnostics* diagnostics) {
 
 }  // namespace
 
-std::vector<GaitCycle> gait_cycles(const Motion& motion, const motion::Legs& legs,
-                                   const std::vector<motion::Footplant>& footplants, Diagnostics* diagnostics) {
+std::vector<GaitCycle> gait_cycles(const Motion& motion, const Legs& legs, const std::vector<Footplant>& footplants,
+                                   Diagnostics* diagnostics) {
   const Course course = course_of(motion, legs);
   std::vector<GaitCycle> cycles;
   for (int foot = 0; foot < 2; ++foot) {
@@ -124,4 +124,4 @@ std::vector<GaitCycle> gait_cycles(const Motion& motion, const motion::Legs& leg
   return cycles;
 }
 
-}  // namespace strut::learn
+}  // namespace strut::motion

@@ -6,13 +6,12 @@
 #include <strut/motion/motion.h>
 #include <strut/representation/normalization.h>
 
-namespace strut::learn {
+namespace strut::representation {
 
 /// Posture, not travel, in units of its own style's deviation: of encoded `rows` (frames x dofs of representation.h)
 /// the degrees of freedom from the root's height on, normalized by `own`. Those that hardly move in either style (`own`
 /// or `other`) say nothing about when and become zero. Returns (frames x dofs less the root's three velocities).
-FrameMatrix alignment_features(const FrameMatrix& rows, const representation::Normalization& own,
-                               const representation::Normalization& other);
+FrameMatrix alignment_features(const FrameMatrix& rows, const Normalization& own, const Normalization& other);
 
 /// The features of two motions.
 struct AlignmentPair {
@@ -29,4 +28,4 @@ enum class StyleUnits {
 /// Throws InvalidArgument if one has no frame, SkeletonMismatch if the hierarchies differ. Cost O(frames x joints).
 AlignmentPair alignment_features(const Motion& input, const Motion& output, StyleUnits units = StyleUnits::kOwn);
 
-}  // namespace strut::learn
+}  // namespace strut::representation

@@ -4,11 +4,11 @@
 #include <strut/align/iterative_motion_warping.h>
 #include <strut/core/error.h>
 #include <strut/generate/walker.h>
-#include <strut/learn/alignment_features.h>
 #include <strut/motion/kinematics.h>
+#include <strut/representation/alignment_features.h>
 #include <strut/representation/representation.h>
 
-namespace strut::learn {
+namespace strut::representation {
 namespace {
 
 constexpr double kRounding = 1e-9;  // encoding turns poses by a few rotations
@@ -77,4 +77,4 @@ TEST(AlignmentFeatures, RefuseAnotherHierarchy) {
 }
 
 }  // namespace
-}  // namespace strut::learn
+}  // namespace strut::representation

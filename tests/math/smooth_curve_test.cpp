@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <strut/core/error.h>
-#include <strut/generate/smooth_curve.h>
+#include <strut/math/smooth_curve.h>
 
-namespace strut::generate {
+namespace strut::math {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -51,4 +51,4 @@ TEST(SmoothCurve, RefusesKnotsThatDoNotAscend) {
 }
 
 }  // namespace
-}  // namespace strut::generate
+}  // namespace strut::math

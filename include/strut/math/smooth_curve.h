@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace strut::generate {
+namespace strut::math {
 
 /// Piecewise cubic Hermite interpolation with limited slopes (Fritsch and Butland 1984). Straight lines are reproduced
 /// exactly. Outside the knots the curve goes on along its end slopes.
@@ -27,4 +27,4 @@ class SmoothCurve {
   std::vector<double> x_, y_, slopes_;
 };
 
-}  // namespace strut::generate
+}  // namespace strut::math
