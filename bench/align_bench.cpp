@@ -29,15 +29,16 @@ FrameMatrix gait(double style) {
 
 void time_warp(benchmark::State& state) {
   const FrameMatrix input = gait(0.0), output = gait(1.0);
-  for (auto _ : state) benchmark::DoNotOptimize(align::time_warp(input, output, static_cast<int>(state.range(0))));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(align::time_warp(input, output, {.slope_limit = static_cast<double>(state.range(0))}));
   state.SetItemsProcessed(state.iterations() * kFrames);
 }
 BENCHMARK(time_warp)->ArgName("slope_limit")->Arg(2)->Arg(3)->Unit(benchmark::kMillisecond);
 
 void space_warp(benchmark::State& state) {
   const FrameMatrix input = gait(0.0), output = gait(1.0);
-  const std::vector<int> even(kFrames, 2);
-  for (auto _ : state) benchmark::DoNotOptimize(align::space_warp(input, output, even, 2));
+  const align::TimeWarp even{std::vector<int>(kFrames, 2), 2};
+  for (auto _ : state) benchmark::DoNotOptimize(align::space_warp(input, output, even));
   state.SetItemsProcessed(state.iterations() * kFrames);
 }
 BENCHMARK(space_warp)->Unit(benchmark::kMillisecond);

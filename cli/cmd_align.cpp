@@ -120,7 +120,8 @@ Answer solve(const representation::AlignmentPair& features, Method method, const
     case Method::kTimeWarp:
       break;
   }
-  return {align::from_repetitions(align::time_warp(input, output, options.slope_limit), options.slope_limit), {}};
+  return {align::time_warp(input, output, {.slope_limit = static_cast<double>(options.slope_limit)}).correspondence(),
+          {}};
 }
 
 void print_clip(const char* role, const std::string& path, const Motion& motion) {

@@ -119,7 +119,7 @@ Warp imw(const Signals& s) {
   return align::iterative_motion_warping(s.input, s.output).correspondence.differential_warp;
 }
 Warp time_warp(const Signals& s) {
-  return align::from_repetitions(align::time_warp(s.input, s.output, kSlopeLimit), kSlopeLimit).differential_warp;
+  return align::time_warp(s.input, s.output, {.slope_limit = kSlopeLimit}).correspondence().differential_warp;
 }
 Warp dtw(const Signals& s, align::LocalConstraint constraint) {
   return align::dynamic_time_warping(s.input, s.output, constraint).correspondence.differential_warp;

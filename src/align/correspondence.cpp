@@ -18,9 +18,9 @@ constexpr double kNearLimit = 0.05;
 }  // namespace
 
 Eigen::VectorXd Correspondence::output_time() const {
-  const double last = differential_warp.sum() - 1.0;
+  const double last = output_end() + output_rest - 1.0;
   Eigen::VectorXd time(differential_warp.size());
-  double passed = 0.0;
+  double passed = output_begin;
   for (Eigen::Index i = 0; i < time.size(); ++i) {
     const double w = differential_warp[i];
     time[i] = std::max(0.0, std::min(passed + 0.5 * w - 0.5, last));
@@ -29,9 +29,10 @@ Eigen::VectorXd Correspondence::output_time() const {
   return time;
 }
 
-Correspondence from_repetitions(const std::vector<int>& repetitions, int slope_limit) {
+Correspondence from_repetitions(const std::vector<int>& repetitions, int resolution) {
+  if (resolution < 1) throw InvalidArgument("resolution", "at least 1", std::to_string(resolution));
   const auto size = static_cast<Eigen::Index>(repetitions.size());
-  return {Eigen::Map<const Eigen::VectorXi>(repetitions.data(), size).cast<double>() / slope_limit};
+  return {Eigen::Map<const Eigen::VectorXi>(repetitions.data(), size).cast<double>() / resolution};
 }
 
 Eigen::VectorXd smooth_differential_warp(const Eigen::Ref<const Eigen::VectorXd>& w, double smoothness) {
@@ -61,8 +62,11 @@ double share_at_slope_limit(const Eigen::Ref<const Eigen::VectorXd>& w, double s
 }
 
 FrameMatrix warp_to_input(const Eigen::Ref<const FrameMatrix>& output, const Correspondence& correspondence) {
-  const double frames = correspondence.differential_warp.sum();
-  if (std::abs(frames - static_cast<double>(output.rows())) > kRounding * (1.0 + frames)) {
+  const double frames = correspondence.output_end() + correspondence.output_rest;
+  if (!(correspondence.output_begin >= 0.0) || !(correspondence.output_rest >= 0.0)) {
+    throw InvalidArgument("correspondence", "ends within the output", "ends beyond it");
+  }
+  if (!(std::abs(frames - static_cast<double>(output.rows())) <= kRounding * (1.0 + frames))) {
     throw InvalidArgument("output", std::to_string(frames) + " frames, as the correspondence covers",
                           std::to_string(output.rows()));
   }

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
+// Symbols of the paper's section 3 and what they are here:
+//   u, y    input and output          W   time_warp                 a, b   space_warp
+//   p       U a + b, the input as the spatial warp leaves it        E      objective, Equation 1
+#include "align/signals.h"
+#include "align/space_warp_solver.h"
+#include "align/time_warp_search.h"
+
 #include <string>
 #include <utility>
 
 #include <strut/align/iterative_motion_warping.h>
-#include <strut/align/time_warp.h>
 #include <strut/core/error.h>
 
 namespace strut::align {
@@ -12,54 +18,86 @@ namespace {
 using Signals = Eigen::Ref<const FrameMatrix>;
 
 void check_options(const IterativeMotionWarpingOptions& options) {
+  detail::check_space_warp(options.space);
   if (options.max_rounds < 1) throw InvalidArgument("max_rounds", "at least 1", std::to_string(options.max_rounds));
   if (!(options.tolerance >= 0.0)) {
     throw InvalidArgument("tolerance", "a number that is not negative", std::to_string(options.tolerance));
   }
 }
 
-/// The sum over frames of squared first differences, per degree of freedom.
-Eigen::VectorXd roughness(const FrameMatrix& curves) {
-  const Eigen::Index steps = curves.rows() - 1;
-  return (curves.bottomRows(steps) - curves.topRows(steps)).colwise().squaredNorm().transpose();
-}
+/// The two stages in turn.
+class Alternation {
+ public:
+  Alternation(const Signals& input, const Signals& output, const IterativeMotionWarpingOptions& options)
+      : options_(options),
+        time_(static_cast<int>(input.rows()), output, options),
+        space_(input, output, options.space),
+        warped_(input) {}
 
-/// Equation 1, summed over the weighted degrees of freedom.
-double objective(const FrameMatrix& warped, const Signals& output, const std::vector<int>& repetitions,
-                 const SpaceWarp& space, const IterativeMotionWarpingOptions& options) {
-  Eigen::VectorXd error = options.space.scale_smoothness * roughness(space.scale) +
-                          options.space.offset_smoothness * roughness(space.offset);
-  int slot = 0;
-  for (Eigen::Index t = 0; t < warped.rows(); ++t) {
-    const int end = slot + repetitions[static_cast<std::size_t>(t)];
-    for (; slot < end; ++slot)
-      error += (warped.row(t) - output.row(slot / options.slope_limit)).cwiseAbs2().transpose();
+  IterativeMotionWarpingResult solve() {
+    for (int round = 0; round < options_.max_rounds; ++round) {
+      if (!improve(time_warp())) break;
+    }
+    return std::move(result_);
   }
-  return options.weights.size() == 0 ? error.sum() : error.dot(options.weights);
-}
+
+  /// One round of the most even time warp.
+  IterativeMotionWarpingResult solve_evenly() {
+    improve(time_.even());
+    result_.is_determined = false;
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_first() const { return result_.objective.empty(); }
+
+  /// The time-warp stage. Coarse to fine it may miss the last round's warp; it is then sought around that one.
+  TimeWarp time_warp() {
+    TimeWarp found = time_.find(warped_);
+    if (is_first() || time_.is_exact()) return found;
+    const auto distance = [&](const TimeWarp& warp) { return space_.distance(warp, warped_, options_.weights); };
+    return distance(found) <= distance(result_.time_warp) ? found : time_.find_near(result_.time_warp);
+  }
+
+  /// The space-warp stage, and whether a further round may help.
+  bool improve(TimeWarp time_warp) {
+    // The same time warp has the same best space warp.
+    if (!is_first() && time_warp.begin == result_.time_warp.begin &&
+        time_warp.repetitions == result_.time_warp.repetitions) {
+      return false;
+    }
+    space_.solve(time_warp, space_warp_);
+    space_.apply(space_warp_, warped_);
+    const double after = space_.objective(time_warp, space_warp_, warped_, options_.weights);
+    const double before = is_first() ? 0.0 : result_.objective.back();
+    if (!is_first() && after >= before) return false;
+    const bool goes_on = is_first() || before - after > options_.tolerance * before;
+    result_.objective.push_back(after);
+    result_.time_warp = std::move(time_warp);
+    std::swap(result_.space_warp, space_warp_);
+    return goes_on;
+  }
+
+  const IterativeMotionWarpingOptions& options_;
+  detail::TimeWarpSearch time_;
+  detail::SpaceWarpSolver space_;
+  FrameMatrix warped_;  // p; a = 1, b = 0 at first
+  SpaceWarp space_warp_;
+  IterativeMotionWarpingResult result_;
+};
 
 }  // namespace
 
 IterativeMotionWarpingResult iterative_motion_warping(const Eigen::Ref<const FrameMatrix>& input,
                                                       const Eigen::Ref<const FrameMatrix>& output,
                                                       const IterativeMotionWarpingOptions& options) {
+  detail::check_time_warp(input, output, options);
   check_options(options);
-  IterativeMotionWarpingResult result;
-  FrameMatrix warped = input;  // a = 1, b = 0
-  for (int round = 0; round < options.max_rounds; ++round) {
-    std::vector<int> repetitions = time_warp(warped, output, options.slope_limit, options.weights);
-    if (repetitions == result.repetitions) break;  // the same time warp has the same best space warp
-    SpaceWarp space = space_warp(input, output, repetitions, options.slope_limit, options.space);
-    warped = space.apply(input);
-    const double after = objective(warped, output, repetitions, space, options);
-    const double before = round == 0 ? 0.0 : result.objective.back();
-    if (round > 0 && after >= before) break;
-    result.objective.push_back(after);
-    result.repetitions = std::move(repetitions);
-    result.space_warp = std::move(space);
-    if (round > 0 && before - after <= options.tolerance * before) break;
-  }
-  result.correspondence = from_repetitions(result.repetitions, options.slope_limit);
+  Alternation alternation(input, output, options);
+  const bool is_determined =
+      !detail::is_constant(input, options.weights) && !detail::is_constant(output, options.weights);
+  IterativeMotionWarpingResult result = is_determined ? alternation.solve() : alternation.solve_evenly();
+  result.correspondence = result.time_warp.correspondence();
   return result;
 }
 

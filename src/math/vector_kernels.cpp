@@ -4,15 +4,15 @@
 #include "math/vector_loops.h"
 
 namespace strut::math {
-namespace {
-
-bool has_avx2() {
+bool has_avx2() noexcept {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("avx2") > 0 && __builtin_cpu_supports("fma") > 0;
 #else
   return false;
 #endif
 }
+
+namespace {
 
 template <typename T>
 const VectorKernels<T>& choose() {

@@ -33,6 +33,9 @@ struct VectorKernels {
                        const T* state, T* next, T* output, const int* output_at);
 };
 
+/// Whether this processor has AVX2 and fused multiply-add.
+bool has_avx2() noexcept;
+
 /// The kernels for this processor. T is float or double.
 template <typename T>
 const VectorKernels<T>& vector_kernels();

@@ -19,9 +19,9 @@ constexpr double kRounding = 1e-9;  // E is a sum of some thousand squares
 /// Equation 1, written out.
 double objective_of(const FrameMatrix& u, const FrameMatrix& y, const IterativeMotionWarpingResult& result,
                     const IterativeMotionWarpingOptions& options) {
-  const FrameMatrix warped = test::repeated(result.space_warp.apply(u), result.repetitions);
+  const FrameMatrix warped = test::repeated(result.space_warp.apply(u), result.time_warp.repetitions);
   const FrameMatrix lengthened =
-      test::repeated(y, std::vector<int>(static_cast<std::size_t>(y.rows()), options.slope_limit));
+      test::repeated(y, std::vector<int>(static_cast<std::size_t>(y.rows()), result.time_warp.resolution));
   double e = 0.0;
   for (Eigen::Index d = 0; d < u.cols(); ++d) {
     double of_this = (warped.col(d) - lengthened.col(d)).squaredNorm();
@@ -58,7 +58,7 @@ TEST(IterativeMotionWarping, BeginsWithTheTimeWarpStage) {
   const FrameMatrix input = test::smooth_curves(60, 4, 1), output = test::smooth_curves(75, 4, 2);
   IterativeMotionWarpingOptions options;
   options.max_rounds = 1;
-  EXPECT_EQ(iterative_motion_warping(input, output, options).repetitions, time_warp(input, output, 2));
+  EXPECT_EQ(iterative_motion_warping(input, output, options).time_warp, time_warp(input, output));
 }
 
 /// A gait-like cycle and the same cycle in another style: other pose, other amplitude, other timing. IMW must find the
@@ -83,7 +83,7 @@ TEST(IterativeMotionWarping, SeesThroughAChangeOfPoseBetterThanTheTimeWarpAlone)
     return sum / kFrames;
   };
   const double found = error(iterative_motion_warping(input, output).correspondence);
-  const double time_alone = error(from_repetitions(time_warp(input, output, 2), 2));
+  const double time_alone = error(time_warp(input, output).correspondence());
   EXPECT_LT(found, 1.5);  // frames: the spatial warp takes some of the timing on itself
   EXPECT_GT(time_alone, 2.0 * found);
 }
@@ -91,14 +91,14 @@ TEST(IterativeMotionWarping, SeesThroughAChangeOfPoseBetterThanTheTimeWarpAlone)
 TEST(IterativeMotionWarping, OfASignalWithItselfIsTheIdentity) {
   const FrameMatrix signal = test::smooth_curves(90, 5, 8);
   const auto result = iterative_motion_warping(signal, signal);
-  EXPECT_EQ(result.repetitions, std::vector<int>(90, 2));
+  EXPECT_EQ(result.time_warp.repetitions, std::vector<int>(90, 2));
   EXPECT_LT(result.objective.back(), kRounding);
 }
 
 TEST(IterativeMotionWarping, OfConstantSignalsIsEven) {
   const FrameMatrix still = FrameMatrix::Constant(40, 2, 1.5);
   const auto result = iterative_motion_warping(still, -2.0 * still);
-  EXPECT_EQ(result.repetitions, std::vector<int>(40, 2));
+  EXPECT_EQ(result.time_warp.repetitions, std::vector<int>(40, 2));
 }
 
 TEST(IterativeMotionWarping, RefusesBadOptionsAndSignals) {

@@ -37,7 +37,7 @@ TEST(SpaceWarp, SolvesEquationFour) {
   const std::vector<int> counts{1, 3, 4, 2, 1, 2, 3, 4, 2};  // 22 slots: 11 output frames lengthened twice
   const SpaceWarpOptions options{7.0, 30.0};
   const FrameMatrix input = test::noise(9, 3, 1), output = test::noise(11, 3, 2);
-  const SpaceWarp warp = space_warp(input, output, counts, 2, options);
+  const SpaceWarp warp = space_warp(input, output, {counts, 2}, options);
   for (int d = 0; d < 3; ++d) {
     const Eigen::VectorXd expected = dense_solution(input.col(d), output.col(d), counts, 2, options);
     EXPECT_LT((warp.scale.col(d) - expected.head(9)).norm(), kRidgeEffect * expected.norm());
@@ -48,7 +48,7 @@ TEST(SpaceWarp, SolvesEquationFour) {
 TEST(SpaceWarp, FindsAScaleAndOffsetThatDoNotChange) {
   const FrameMatrix input = test::smooth_curves(80, 2, 3);
   const FrameMatrix output = (2.5 * input).array() - 0.75;
-  const SpaceWarp warp = space_warp(input, output, std::vector<int>(80, 2), 2);
+  const SpaceWarp warp = space_warp(input, output, {std::vector<int>(80, 2), 2});
   EXPECT_LT((warp.scale.array() - 2.5).abs().maxCoeff(), kRidgeEffect);
   EXPECT_LT((warp.offset.array() + 0.75).abs().maxCoeff(), kRidgeEffect);
   EXPECT_LT((warp.apply(input) - output).cwiseAbs().maxCoeff(), kRidgeEffect);
@@ -57,7 +57,7 @@ TEST(SpaceWarp, FindsAScaleAndOffsetThatDoNotChange) {
 TEST(SpaceWarp, OfConstantSignalsIsFiniteAndFits) {
   for (const double value : {0.0, 1e-3, 1.0, 50.0}) {
     const FrameMatrix input = FrameMatrix::Constant(200, 1, value), output = FrameMatrix::Constant(200, 1, -2.0);
-    const SpaceWarp warp = space_warp(input, output, std::vector<int>(200, 2), 2);
+    const SpaceWarp warp = space_warp(input, output, {std::vector<int>(200, 2), 2});
     EXPECT_LT((warp.apply(input) - output).cwiseAbs().maxCoeff(), kRidgeEffect) << value;
     EXPECT_LT(warp.scale.maxCoeff() - warp.scale.minCoeff(), kRidgeEffect) << value;
   }
@@ -65,20 +65,20 @@ TEST(SpaceWarp, OfConstantSignalsIsFiniteAndFits) {
 
 TEST(SpaceWarp, OfASingleFrameFits) {
   const FrameMatrix one = FrameMatrix::Constant(1, 1, 3.0);
-  EXPECT_NEAR(space_warp(one, 2.0 * one, {2}, 2).apply(one)(0, 0), 6.0, kRidgeEffect);
+  EXPECT_NEAR(space_warp(one, 2.0 * one, {{2}, 2}).apply(one)(0, 0), 6.0, kRidgeEffect);
 }
 
 TEST(SpaceWarp, RefusesCountsThatDoNotFill) {
   const FrameMatrix signal = FrameMatrix::Zero(3, 1);
-  EXPECT_THROW(space_warp(signal, signal, {2, 2}, 2), InvalidArgument);
-  EXPECT_THROW(space_warp(signal, signal, {2, 2, 1}, 2), InvalidArgument);
-  EXPECT_THROW(space_warp(signal, signal, {6, 0, 0}, 2), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{2, 2}, 2}), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{2, 2, 1}, 2}), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{6, 0, 0}, 2}), InvalidArgument);
 }
 
 TEST(SpaceWarp, RefusesNegativeSmoothness) {
   const FrameMatrix signal = FrameMatrix::Zero(3, 1);
-  EXPECT_THROW(space_warp(signal, signal, {2, 2, 2}, 2, {-1.0, 1.0}), InvalidArgument);
-  EXPECT_THROW(space_warp(signal, signal, {2, 2, 2}, 2, {1.0, std::nan("")}), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{2, 2, 2}, 2}, {-1.0, 1.0}), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{2, 2, 2}, 2}, {1.0, std::nan("")}), InvalidArgument);
 }
 
 }  // namespace

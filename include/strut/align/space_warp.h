@@ -3,10 +3,9 @@
 // degree of freedom that bring the time-warped input nearest to the output.
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Core>
 
+#include <strut/align/time_warp.h>
 #include <strut/math/frame_matrix.h>
 
 namespace strut::align {
@@ -26,14 +25,15 @@ struct SpaceWarp {
   [[nodiscard]] FrameMatrix apply(const Eigen::Ref<const FrameMatrix>& input) const;
 };
 
-/// Minimizes |W(Ua + b) - y|^2 + |Fa|^2 + |Gb|^2 over a and b (Equation 4), each degree of freedom by itself. W repeats
-/// input frame t `repetitions[t]` times against the output lengthened `slope_limit` times. The normal equations are a
-/// symmetric positive definite band; interleaved (a, b), they are eliminated in blocks of two. What a constant signal
+/// Minimizes |W(Ua + b) - y|^2 + |Fa|^2 + |Gb|^2 over a and b (Equation 4), each degree of freedom by itself. W is
+/// `time_warp`: it repeats input frame t over repetitions[t] slots of the output; where it counts frames (open ends), a
+/// frame's part of the first term is resolution / repetitions[t] times the sum over its slots. The normal equations are
+/// a symmetric positive definite band; interleaved (a, b), they are eliminated in blocks of two. What a constant signal
 /// leaves undetermined is settled by a ridge of 1e-8 towards a = 1, b = 0.
-/// `input` (m x dofs), `output` (n x dofs), `repetitions` m positive counts that sum to n * slope_limit.
-/// Throws InvalidArgument if a size does not fit, a number is not finite or a smoothness is negative.
-/// Cost O(frames x dofs).
+/// `input` (m x dofs), `output` (n x dofs), `time_warp` of m and n frames.
+/// Throws InvalidArgument if a size does not fit, a count is not positive, a number is not finite or a smoothness is
+/// negative. Cost O(frames x dofs).
 SpaceWarp space_warp(const Eigen::Ref<const FrameMatrix>& input, const Eigen::Ref<const FrameMatrix>& output,
-                     const std::vector<int>& repetitions, int slope_limit, const SpaceWarpOptions& options = {});
+                     const TimeWarp& time_warp, const SpaceWarpOptions& options = {});
 
 }  // namespace strut::align
