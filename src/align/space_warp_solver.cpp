@@ -103,7 +103,8 @@ double SpaceWarpSolver::distance(const TimeWarp& time_warp, const FrameMatrix& p
 void SpaceWarpSolver::apply(const SpaceWarp& warp, FrameMatrix& p) const {
   p.resize(warp.scale.rows(), warp.scale.cols());
   for (Eigen::Index t = 0; t < p.rows(); ++t) {
-    warp_kernels().warp(static_cast<int>(p.cols()), &warp.scale(t, 0), input_.row(t).data(), &warp.offset(t, 0), &p(t, 0));
+    warp_kernels().warp(static_cast<int>(p.cols()), &warp.scale(t, 0), input_.row(t).data(), &warp.offset(t, 0),
+                        &p(t, 0));
   }
 }
 

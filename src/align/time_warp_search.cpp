@@ -81,11 +81,8 @@ void SlotSearch::advance(const double* distances, const Interval& from, const In
   std::swap(before_, best_);
   std::fill(at(before_, from.first - counts_.most), at(before_, from.first), kUnreachable);
   std::fill(at(before_, from.last) + 1, at(before_, from.last + counts_.most + kSlotLanes), kUnreachable);
-  const int s = counts_.resolution;
-  double* slot = at(lengthened_, from.first / s * s);
-  for (int j = from.first / s; j <= (to.last - 1) / s; ++j) {
-    for (int part = 0; part < s; ++part) *slot++ = distances[j];
-  }
+  const int s = counts_.resolution, frame = from.first / s;
+  warp_kernels().lengthen((to.last - 1) / s + 1 - frame, s, distances + frame, at(lengthened_, frame * s));
   const int width = to.last - to.first + 1;
   warp_kernels().choose_counts(width, counts_.least, counts_.most, factor_.data(), uneven_.data(),
                                at(before_, to.first), at(lengthened_, to.first), at(best_, to.first),

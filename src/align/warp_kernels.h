@@ -31,6 +31,8 @@ struct WarpKernels {
   /// `dofs` long) and `tiles` * kTileFrames output frames q.
   void (*squared_distances)(int dofs, int tiles, const double* input, const double* input_norms, const double* output,
                             const double* output_norms, double* distances, std::ptrdiff_t stride);
+  /// Every number `times` times.
+  void (*lengthen)(int count, int times, const double* numbers, double* to);
   /// For the ends x = 0 ... width - 1 (rounded up to kSlotLanes): the count r in least ... most with the least
   ///   before[x - r] + factor[r] * (sum of distance[x - r ... x - 1]) + uneven[r],
   /// of equals the smallest; best[x] is that, counts[x] is r - least.

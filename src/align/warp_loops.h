@@ -86,20 +86,43 @@ struct Choice {
   }
 };
 
-void choose_counts(int width, int least, int most, const double* __restrict factor, const double* __restrict uneven,
-                   const double* __restrict before, const double* __restrict distance, double* __restrict best,
-                   std::uint16_t* __restrict counts) {
+template <int kTimes>
+void lengthen_by(int count, int times, const double* __restrict numbers, double* __restrict to) {
+  const int step = kTimes > 0 ? kTimes : times;
+  for (int i = 0; i < count; ++i) {
+    for (int part = 0; part < step; ++part) to[i * step + part] = numbers[i];
+  }
+}
+
+void lengthen(int count, int times, const double* numbers, double* to) {
+  if (times == 2) return lengthen_by<2>(count, times, numbers, to);
+  return lengthen_by<0>(count, times, numbers, to);
+}
+
+template <int kMost>
+void choose_up_to(int width, int least, int most, const double* __restrict factor, const double* __restrict uneven,
+                  const double* __restrict before, const double* __restrict distance, double* __restrict best,
+                  std::uint16_t* __restrict counts) {
+  const int first = kMost > 0 ? 1 : least, last = kMost > 0 ? kMost : most;
   for (int x = 0; x < width; x += kWide) {
     Numbers sum = {};
-    for (int r = 1; r < least; ++r) sum += load(distance + x - r);
+    for (int r = 1; r < first; ++r) sum += load(distance + x - r);
     Choice choice(Numbers{} + kInfinity);
-    for (int r = least; r <= most; ++r) {
+#pragma GCC unroll 4
+    for (int r = first; r <= last; ++r) {
       sum += load(distance + x - r);
-      choice.offer(load(before + x - r) + (sum * factor[r] + uneven[r]), r - least);
+      choice.offer(load(before + x - r) + (sum * factor[r] + uneven[r]), r - first);
     }
     store(choice.cost, best + x);
     store(choice.which, counts + x);
   }
+}
+
+void choose_counts(int width, int least, int most, const double* factor, const double* uneven, const double* before,
+                   const double* distance, double* best, std::uint16_t* counts) {
+  // The paper's form with a slope limit of 2 is the usual one: the compiler may lay its four steps out.
+  const auto choose = least == 1 && most == 4 ? choose_up_to<4> : choose_up_to<0>;
+  choose(width, least, most, factor, uneven, before, distance, best, counts);
 }
 
 void pack(int count, int bits, const std::uint16_t* __restrict numbers, std::uint8_t* __restrict packed) {
@@ -192,8 +215,8 @@ void warp(int count, const double* __restrict a, const double* __restrict u, con
 }
 
 constexpr WarpKernels kWarpKernels = {
-    squared_distances, choose_counts, pack,       step_type_iii,           step_type_i,
-    eliminate,         substitute,    add_scaled, add_squared_differences, warp};
+    squared_distances, lengthen,   choose_counts,           pack, step_type_iii, step_type_i, eliminate,
+    substitute,        add_scaled, add_squared_differences, warp};
 
 }  // namespace
 }  // namespace strut::align::detail

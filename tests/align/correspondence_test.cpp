@@ -29,6 +29,18 @@ TEST(Correspondence, PointsAtTheMiddleOfTheStretchCovered) {
   EXPECT_TRUE(halves.output_time().isApprox(expected, kRounding)) << halves.output_time().transpose();
 }
 
+TEST(Correspondence, BeginsAndEndsInsideTheOutputWhereItsEndsAreOpen) {
+  const Correspondence inside{Eigen::Vector3d(1.0, 2.0, 1.0), 4.0, 2.5};
+  EXPECT_TRUE(inside.output_time().isApprox(Eigen::Vector3d(4.0, 5.5, 7.0), kRounding));
+  EXPECT_DOUBLE_EQ(inside.output_end(), 8.0);
+  const Correspondence at_ends{Eigen::Vector2d(0.5, 0.5), 0.0, 0.25};  // 1.25 frames: clamped to 0 and 0.25
+  EXPECT_TRUE(at_ends.output_time().isApprox(Eigen::Vector2d(0.0, 0.25), kRounding));
+}
+
+TEST(Correspondence, OfRepetitionsRefusesNoResolution) {
+  EXPECT_THROW(from_repetitions({1, 2}, 0), InvalidArgument);
+}
+
 RC_GTEST_PROP(Correspondence, RisesAndStaysInsideTheOutput, ()) {
   const Correspondence correspondence{random_warp()};
   const Eigen::VectorXd time = correspondence.output_time();
@@ -90,6 +102,10 @@ TEST(WarpToInput, UndoesAKnownRepetition) {
 
 TEST(WarpToInput, RefusesAnotherLength) {
   EXPECT_THROW(warp_to_input(FrameMatrix::Zero(5, 1), {Eigen::VectorXd::Ones(4)}), InvalidArgument);
+  EXPECT_THROW(warp_to_input(FrameMatrix::Zero(5, 1), {Eigen::VectorXd::Ones(4), 0.5}), InvalidArgument);
+  EXPECT_NO_THROW(warp_to_input(FrameMatrix::Zero(5, 1), {Eigen::VectorXd::Ones(4), 0.5, 0.5}));
+  EXPECT_THROW(warp_to_input(FrameMatrix::Zero(5, 1), {Eigen::VectorXd::Ones(4), -0.5, 1.5}), InvalidArgument);
+  EXPECT_THROW(warp_to_input(FrameMatrix::Zero(5, 1), {Eigen::VectorXd::Constant(5, std::nan(""))}), InvalidArgument);
 }
 
 }  // namespace

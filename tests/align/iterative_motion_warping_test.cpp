@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "align/signals_for_tests.h"
+#include "align/warp_oracle.h"
 
 #include <cmath>
 #include <numeric>
@@ -19,38 +20,54 @@ constexpr double kRounding = 1e-9;  // E is a sum of some thousand squares
 /// Equation 1, written out.
 double objective_of(const FrameMatrix& u, const FrameMatrix& y, const IterativeMotionWarpingResult& result,
                     const IterativeMotionWarpingOptions& options) {
-  const FrameMatrix warped = test::repeated(result.space_warp.apply(u), result.time_warp.repetitions);
-  const FrameMatrix lengthened =
-      test::repeated(y, std::vector<int>(static_cast<std::size_t>(y.rows()), result.time_warp.resolution));
-  double e = 0.0;
+  const Eigen::VectorXd weights = options.weights.size() == 0 ? Eigen::VectorXd::Ones(u.cols()) : options.weights;
+  double e = test::cost_of(result.space_warp.apply(u), y, result.time_warp, weights);
   for (Eigen::Index d = 0; d < u.cols(); ++d) {
-    double of_this = (warped.col(d) - lengthened.col(d)).squaredNorm();
     for (Eigen::Index t = 1; t < u.rows(); ++t) {
-      of_this += options.space.scale_smoothness *
-                 std::pow(result.space_warp.scale(t, d) - result.space_warp.scale(t - 1, d), 2);
-      of_this += options.space.offset_smoothness *
-                 std::pow(result.space_warp.offset(t, d) - result.space_warp.offset(t - 1, d), 2);
+      e += weights[d] * options.space.scale_smoothness *
+           std::pow(result.space_warp.scale(t, d) - result.space_warp.scale(t - 1, d), 2);
+      e += weights[d] * options.space.offset_smoothness *
+           std::pow(result.space_warp.offset(t, d) - result.space_warp.offset(t - 1, d), 2);
     }
-    e += (options.weights.size() == 0 ? 1.0 : options.weights[d]) * of_this;
   }
   return e;
 }
 
 RC_GTEST_PROP(IterativeMotionWarping, NeverRaisesItsObjective, ()) {
+  IterativeMotionWarpingOptions options;
+  options.slope_limit = *rc::gen::element(1.1, 1.25, 2.0, 2.5, 4.0);
+  options.resolution = *rc::gen::element(0, 0, 7, 12);
+  options.ends = *rc::gen::element(Ends::kFixed, Ends::kOpenBegin, Ends::kOpenEnd, Ends::kOpen);
+  options.exact_cells = *rc::gen::element(std::int64_t{1}, std::int64_t{1} << 26);
+  options.band_radius = *rc::gen::inRange(1, 10);
+  options.tolerance = 0.0;
+  options.max_rounds = 30;
+  options.space = {std::pow(10.0, *rc::gen::inRange(-3, 5)), std::pow(10.0, *rc::gen::inRange(-3, 5))};
+  const auto seed = *rc::gen::inRange(0U, 100000U);
+  if (*rc::gen::inRange(0, 2) == 1) options.weights = test::noise(1, 3, seed).row(0).cwiseAbs();
+  const int m = *rc::gen::inRange(2, 100), n = options.ends == Ends::kFixed ? m : 2 * m;
+  const FrameMatrix input = test::noise(m, 3, seed), output = test::noise(n, 3, seed + 1);
+  const auto result = iterative_motion_warping(input, output, options);
+  RC_ASSERT(!result.objective.empty());
+  RC_ASSERT(result.is_determined);
+  for (std::size_t k = 1; k < result.objective.size(); ++k) RC_ASSERT(result.objective[k] < result.objective[k - 1]);
+  const double e = objective_of(input, output, result, options);
+  RC_ASSERT(std::abs(result.objective.back() - e) <= kRounding * (1.0 + e));
+  const Correspondence& found = result.correspondence;
+  RC_ASSERT(std::abs(found.output_end() + found.output_rest - n) < kRounding);
+  RC_ASSERT(found.differential_warp.maxCoeff() <= options.slope_limit + kRounding);
+  RC_ASSERT(found.differential_warp.minCoeff() >= 1.0 / options.slope_limit - kRounding);
+}
+
+RC_GTEST_PROP(IterativeMotionWarping, NeverRaisesItsObjectiveWhateverTheLengths, ()) {
   const int m = *rc::gen::inRange(1, 40);
   const int n = *rc::gen::inRange((m + 1) / 2, 2 * m + 1);
   const auto seed = *rc::gen::inRange(0U, 100000U);
   IterativeMotionWarpingOptions options;
   options.tolerance = 0.0;
-  options.max_rounds = 30;
-  options.space = {std::pow(10.0, *rc::gen::inRange(-3, 5)), std::pow(10.0, *rc::gen::inRange(-3, 5))};
-  if (*rc::gen::inRange(0, 2) == 1) options.weights = test::noise(1, 3, seed).row(0).cwiseAbs();
-  const FrameMatrix input = test::noise(m, 3, seed), output = test::noise(n, 3, seed + 1);
-  const auto result = iterative_motion_warping(input, output, options);
+  const auto result = iterative_motion_warping(test::noise(m, 3, seed), test::noise(n, 3, seed + 1), options);
   RC_ASSERT(!result.objective.empty());
   for (std::size_t k = 1; k < result.objective.size(); ++k) RC_ASSERT(result.objective[k] < result.objective[k - 1]);
-  const double e = objective_of(input, output, result, options);
-  RC_ASSERT(std::abs(result.objective.back() - e) <= kRounding * (1.0 + e));
   RC_ASSERT(std::abs(result.correspondence.differential_warp.sum() - n) < kRounding);
 }
 
@@ -95,10 +112,61 @@ TEST(IterativeMotionWarping, OfASignalWithItselfIsTheIdentity) {
   EXPECT_LT(result.objective.back(), kRounding);
 }
 
-TEST(IterativeMotionWarping, OfConstantSignalsIsEven) {
-  const FrameMatrix still = FrameMatrix::Constant(40, 2, 1.5);
-  const auto result = iterative_motion_warping(still, -2.0 * still);
-  EXPECT_EQ(result.time_warp.repetitions, std::vector<int>(40, 2));
+/// A short stretch in another style, of another size and elsewhere, somewhere in a long clip.
+TEST(IterativeMotionWarping, FindsAClipOfAnotherStyleInsideALongOne) {
+  constexpr int kBegin = 140, kFrames = 120;
+  const FrameMatrix output = test::smooth_curves(400, 4, 5);
+  const FrameMatrix input = (1.6 * output.middleRows(kBegin, kFrames)).array() + 0.5;
+  IterativeMotionWarpingOptions options;
+  options.ends = Ends::kOpen;
+  options.slope_limit = 1.5;
+  options.max_rounds = 50;
+  const auto result = iterative_motion_warping(input, output, options);
+  EXPECT_NEAR(result.correspondence.output_begin, kBegin, 5.0);
+  EXPECT_NEAR(result.correspondence.output_end(), kBegin + kFrames, 5.0);
+}
+
+TEST(IterativeMotionWarping, OfASignalThatStandsStillIsEvenAndSaysSo) {
+  const FrameMatrix still = FrameMatrix::Constant(40, 2, 1.5), moving = test::smooth_curves(60, 2, 1);
+  const auto of_both = iterative_motion_warping(still, -2.0 * still);
+  EXPECT_EQ(of_both.time_warp.repetitions, std::vector<int>(40, 2));
+  EXPECT_FALSE(of_both.is_determined);
+  const auto of_input = iterative_motion_warping(still, moving);
+  EXPECT_EQ(of_input.time_warp.repetitions, std::vector<int>(40, 3));
+  EXPECT_FALSE(of_input.is_determined);
+  const auto of_output = iterative_motion_warping(moving, FrameMatrix::Constant(60, 2, 0.1));
+  EXPECT_EQ(of_output.time_warp.repetitions, std::vector<int>(60, 2));
+  EXPECT_FALSE(of_output.is_determined);
+  EXPECT_EQ(of_output.objective.size(), 1);
+  EXPECT_TRUE(iterative_motion_warping(moving, 2.0 * moving).is_determined);
+}
+
+TEST(IterativeMotionWarping, StandsStillWhereWhatMovesWeighsNothing) {
+  FrameMatrix input = test::smooth_curves(50, 2, 1);
+  input.col(0).setConstant(3.0);
+  IterativeMotionWarpingOptions options;
+  options.weights = Eigen::Vector2d(1.0, 0.0);
+  EXPECT_FALSE(iterative_motion_warping(input, test::smooth_curves(50, 2, 2), options).is_determined);
+}
+
+TEST(IterativeMotionWarping, OfOneFrameIsDefined) {
+  const FrameMatrix one = FrameMatrix::Constant(1, 2, 1.5);
+  const auto result = iterative_motion_warping(one, 2.0 * one);
+  EXPECT_EQ(result.time_warp.repetitions, std::vector<int>{2});
+  EXPECT_EQ(result.correspondence.output_time()[0], 0.0);
+  EXPECT_FALSE(result.is_determined);
+}
+
+TEST(IterativeMotionWarping, CoarseToFineComesAsFarAsTheExactSearch) {
+  const FrameMatrix input = test::smooth_curves(500, 5, 1), output = test::smooth_curves(560, 5, 1).array() * 0.7 + 0.2;
+  IterativeMotionWarpingOptions options;
+  const auto exact = iterative_motion_warping(input, output, options);
+  options.exact_cells = 3000;
+  options.band_radius = 25;
+  const auto found = iterative_motion_warping(input, output, options);
+  EXPECT_TRUE(exact.time_warp.is_exact);
+  EXPECT_FALSE(found.time_warp.is_exact);
+  EXPECT_NEAR(found.objective.back(), exact.objective.back(), 1e-6 * exact.objective.back());
 }
 
 TEST(IterativeMotionWarping, RefusesBadOptionsAndSignals) {
@@ -111,6 +179,12 @@ TEST(IterativeMotionWarping, RefusesBadOptionsAndSignals) {
   EXPECT_THROW(iterative_motion_warping(signal, signal, options), InvalidArgument);
   FrameMatrix bad = signal;
   bad(0, 0) = std::numeric_limits<double>::infinity();
+  options = {};
+  options.weights = Eigen::VectorXd::Zero(2);
+  EXPECT_THROW(iterative_motion_warping(signal, signal, options), InvalidArgument);
+  options = {};
+  options.space.scale_smoothness = -1.0;
+  EXPECT_THROW(iterative_motion_warping(signal, signal, options), InvalidArgument);
   EXPECT_THROW(iterative_motion_warping(signal, bad), InvalidArgument);
   EXPECT_THROW(iterative_motion_warping(signal, test::noise(21, 2, 1)), InvalidArgument);
 }

@@ -45,6 +45,33 @@ TEST(SpaceWarp, SolvesEquationFour) {
   }
 }
 
+/// Where frames count, a frame's slots share the weight of one output frame: solved as least squares over slots.
+TEST(SpaceWarp, WeighsEveryFrameAlikeWhereFramesCount) {
+  const TimeWarp time_warp{{1, 3, 4, 2, 2}, 2, 3, 5, true};  // 20 slots
+  const SpaceWarpOptions options{7.0, 30.0};
+  const FrameMatrix input = test::noise(5, 1, 1), output = test::noise(10, 1, 2);
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(12 + 8, 10);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(12 + 8);
+  int slot = time_warp.begin;
+  for (int t = 0; t < 5; ++t) {
+    const int count = time_warp.repetitions[static_cast<std::size_t>(t)];
+    const double root = std::sqrt(2.0 / count);
+    for (int k = 0; k < count; ++k, ++slot) {
+      system(slot - 3, t) = root * input(t, 0);
+      system(slot - 3, 5 + t) = root;
+      right[slot - 3] = root * output(slot / 2, 0);
+    }
+  }
+  for (int t = 0; t < 4; ++t) {
+    system(12 + t, t) = -std::sqrt(7.0), system(12 + t, t + 1) = std::sqrt(7.0);
+    system(16 + t, 5 + t) = -std::sqrt(30.0), system(16 + t, 6 + t) = std::sqrt(30.0);
+  }
+  const Eigen::VectorXd expected = system.colPivHouseholderQr().solve(right);
+  const SpaceWarp warp = space_warp(input, output, time_warp, options);
+  EXPECT_LT((warp.scale.col(0) - expected.head(5)).norm(), kRidgeEffect * expected.norm());
+  EXPECT_LT((warp.offset.col(0) - expected.tail(5)).norm(), kRidgeEffect * expected.norm());
+}
+
 TEST(SpaceWarp, FindsAScaleAndOffsetThatDoNotChange) {
   const FrameMatrix input = test::smooth_curves(80, 2, 3);
   const FrameMatrix output = (2.5 * input).array() - 0.75;
@@ -73,6 +100,9 @@ TEST(SpaceWarp, RefusesCountsThatDoNotFill) {
   EXPECT_THROW(space_warp(signal, signal, {{2, 2}, 2}), InvalidArgument);
   EXPECT_THROW(space_warp(signal, signal, {{2, 2, 1}, 2}), InvalidArgument);
   EXPECT_THROW(space_warp(signal, signal, {{6, 0, 0}, 2}), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{2, 2, 3}, 2, -1}), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{2, 2, 2}, 0}), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{2, 2, 2}, 2, 1, 0}), InvalidArgument);
 }
 
 TEST(SpaceWarp, RefusesNegativeSmoothness) {
