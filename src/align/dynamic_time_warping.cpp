@@ -28,9 +28,6 @@ using Path = std::vector<FramePair>;
 
 constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
-// More cells than these are searched coarse to fine, around the coarser path; 64 MB.
-constexpr std::int64_t kExactCells = std::int64_t{1} << 28;
-constexpr int kBandRadius = 64;    // output frames
 constexpr int kFewestFrames = 32;  // a signal is not halved below
 constexpr int kPad = 2;            // cells before a row, where no path comes from
 
@@ -43,6 +40,16 @@ using Steps = std::array<Step, 3>;
 Steps steps_of(LocalConstraint constraint) {
   if (constraint == LocalConstraint::kTypeI) return {{{1, 1}, {1, 0}, {0, 1}}};
   return {{{1, 1}, {2, 1}, {1, 2}}};
+}
+
+void check_options(const DynamicTimeWarpingOptions& options, Eigen::Index dofs) {
+  detail::check_weights(options.weights, dofs);
+  if (options.exact_cells < 1) {
+    throw InvalidArgument("exact_cells", "at least 1", std::to_string(options.exact_cells));
+  }
+  if (options.band_radius < 1) {
+    throw InvalidArgument("band_radius", "at least 1", std::to_string(options.band_radius));
+  }
 }
 
 void check_lengths(std::int64_t m, std::int64_t n, LocalConstraint constraint) {
@@ -193,6 +200,7 @@ std::vector<Columns> band_around(const Path& path, FramePair from, int n, int ra
 struct Solution {
   Path path;
   double cost = 0.0;
+  bool is_exact = true;
 };
 
 std::optional<Solution> solve_within(FrameDistances& distances, LocalConstraint constraint,
@@ -200,24 +208,35 @@ std::optional<Solution> solve_within(FrameDistances& distances, LocalConstraint 
   CellSearch search(distances, constraint, reach);
   const double cost = search.fill();
   if (!(cost < kUnreachable)) return std::nullopt;
-  return Solution{search.trace_back(), cost};
+  return Solution{search.trace_back(), cost, true};
+}
+
+/// Half as many frames of either signal, about: paths must fit them too.
+FramePair half_of(int m, int n, LocalConstraint constraint) {
+  const int input = (m + 1) / 2, output = (n + 1) / 2;
+  if (constraint == LocalConstraint::kTypeI) return {input, output};
+  return {input, std::clamp(output, input / 2 + 1, 2 * input - 1)};
 }
 
 /// The best path, or, of a pair with too many cells, the best near that of the pair at half the rate.
-Solution solve(const FrameMatrix& input, const FrameMatrix& output, LocalConstraint constraint) {
+Solution solve(const FrameMatrix& input, const FrameMatrix& output, LocalConstraint constraint,
+               const DynamicTimeWarpingOptions& options) {
   const int m = static_cast<int>(input.rows()), n = static_cast<int>(output.rows());
-  std::vector<Columns> reach = reachable(m, n, constraint);
+  const std::vector<Columns> reach = reachable(m, n, constraint);
   FrameDistances distances(output);
   distances.set_input(input);
-  const FramePair half{(m + 1) / 2, (n + 1) / 2};
-  if (num_cells(reach) <= kExactCells || std::min(half.input, half.output) < kFewestFrames) {
+  const FramePair half = half_of(m, n, constraint);
+  if (num_cells(reach) <= options.exact_cells || std::min(half.input, half.output) < kFewestFrames) {
     return *solve_within(distances, constraint, reach);
   }
   const Path coarse =
-      solve(detail::resampled(input, half.input), detail::resampled(output, half.output), constraint).path;
+      solve(detail::resampled(input, half.input), detail::resampled(output, half.output), constraint, options).path;
   // Along the slope limit a path at the full rate may need more room.
-  for (int radius = kBandRadius;; radius *= 4) {
-    if (auto found = solve_within(distances, constraint, band_around(coarse, half, n, radius, reach))) return *found;
+  for (int radius = std::min(options.band_radius, n);; radius = std::min(4 * radius, n)) {
+    auto found = solve_within(distances, constraint, band_around(coarse, half, n, radius, reach));
+    if (!found) continue;
+    found->is_exact = false;
+    return *std::move(found);
   }
 }
 
@@ -241,16 +260,16 @@ Correspondence correspondence_of(const std::vector<FramePair>& path, int m, int 
 
 DynamicTimeWarpingResult dynamic_time_warping(const Eigen::Ref<const FrameMatrix>& input,
                                               const Eigen::Ref<const FrameMatrix>& output, LocalConstraint constraint,
-                                              const Eigen::VectorXd& weights) {
+                                              const DynamicTimeWarpingOptions& options) {
   detail::check_signals(input, output);
-  detail::check_weights(weights, input.cols());
+  check_options(options, input.cols());
   check_lengths(input.rows(), output.rows(), constraint);
   const int m = static_cast<int>(input.rows()), n = static_cast<int>(output.rows());
   const Eigen::RowVectorXd origin = output.colwise().mean();
-  Solution solution =
-      solve(detail::weighted(input, origin, weights), detail::weighted(output, origin, weights), constraint);
+  Solution solution = solve(detail::weighted(input, origin, options.weights),
+                            detail::weighted(output, origin, options.weights), constraint, options);
   Correspondence correspondence = correspondence_of(solution.path, m, n);
-  return {std::move(correspondence), std::move(solution.path), solution.cost};
+  return {std::move(correspondence), std::move(solution.path), solution.cost, solution.is_exact};
 }
 
 }  // namespace strut::align

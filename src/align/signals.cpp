@@ -121,7 +121,7 @@ void FrameDistances::compute(int row, const std::vector<Columns>& columns) {
   }
   first_ = static_cast<std::ptrdiff_t>(all.first) * kTileFrames;
   stride_ = static_cast<std::ptrdiff_t>(all.end - all.first) * kTileFrames;
-  const auto size = static_cast<std::size_t>(stride_ * kBlock);
+  const auto size = static_cast<std::size_t>(stride_ * kBlock) + kSlotLanes;  // loops read whole steps
   if (block_.size() < size) block_.resize(size);
   const WarpKernels& kernels = warp_kernels();
   for (int tile = all.first; tile < all.end; tile += kTilesAtOnce) {

@@ -46,7 +46,8 @@ class FrameDistances {
   /// Computes those of input frames [row, row + columns.size()), row a multiple of kBlock, each at its columns; all are
   /// >= 0. They stay until the next call. At most kBlock rows, columns not empty.
   void compute(int row, const std::vector<Columns>& columns);
-  /// The distances of the block's i-th row: [j] is that to output frame j, for j of its columns.
+  /// The distances of the block's i-th row: [j] is that to output frame j, for j of its columns; what is beyond may be
+  /// read up to a step of kSlotLanes, and is finite.
   [[nodiscard]] const double* row(int i) const { return block_.data() + i * stride_ - first_; }
   /// Mean squared length of the output's frames: the size of a distance that means something.
   [[nodiscard]] double mean_energy() const { return mean_energy_; }

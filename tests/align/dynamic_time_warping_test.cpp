@@ -119,6 +119,53 @@ TEST(DynamicTimeWarping, TypeIIIRefusesLengthsThatDifferTooMuch) {
   EXPECT_NO_THROW(dynamic_time_warping(five, FrameMatrix::Zero(40, 1), LocalConstraint::kTypeI));
 }
 
+TEST(DynamicTimeWarping, WeighsDegreesOfFreedom) {
+  FrameMatrix input = test::smooth_curves(60, 3, 4), output = test::smooth_curves(70, 3, 9);
+  DynamicTimeWarpingOptions options;
+  options.weights = Eigen::Vector3d(1.0, 2.0, 0.0);
+  const auto found = dynamic_time_warping(input, output, LocalConstraint::kTypeIII, options);
+  FrameMatrix scaled_input = input.leftCols(2), scaled_output = output.leftCols(2);
+  scaled_input.col(1) *= std::sqrt(2.0);
+  scaled_output.col(1) *= std::sqrt(2.0);
+  EXPECT_EQ(found.path, dynamic_time_warping(scaled_input, scaled_output, LocalConstraint::kTypeIII).path);
+}
+
+TEST(DynamicTimeWarping, CoarseToFineOfSmoothSignalsIsTheBestOfAll) {
+  for (const auto constraint : {LocalConstraint::kTypeI, LocalConstraint::kTypeIII}) {
+    const FrameMatrix input = test::smooth_curves(500, 5, 1), output = test::smooth_curves(620, 5, 1);
+    const auto exact = dynamic_time_warping(input, output, constraint);
+    const auto found = dynamic_time_warping(input, output, constraint, {.exact_cells = 5000, .band_radius = 40});
+    EXPECT_TRUE(exact.is_exact);
+    EXPECT_FALSE(found.is_exact);
+    EXPECT_EQ(found.path, exact.path);
+  }
+}
+
+RC_GTEST_PROP(DynamicTimeWarping, CoarseToFineAlwaysFindsAPathAndNeverABetter, ()) {
+  const int m = *rc::gen::inRange(64, 200);
+  const int n = *rc::gen::element((m - 1) / 2 + 2, 2 * m - 1, *rc::gen::inRange(m / 2 + 2, 2 * m));
+  const auto seed = *rc::gen::inRange(0U, 100000U);
+  const FrameMatrix input = test::noise(m, 2, seed), output = test::noise(n, 2, seed + 1);
+  const DynamicTimeWarpingOptions options{.exact_cells = 1, .band_radius = *rc::gen::inRange(1, 10)};
+  for (const auto constraint : {LocalConstraint::kTypeI, LocalConstraint::kTypeIII}) {
+    const auto found = dynamic_time_warping(input, output, constraint, options);
+    RC_ASSERT(std::abs(found.cost - cost_of(input, output, found.path)) < kRounding * found.cost);
+    RC_ASSERT(found.cost >= dynamic_time_warping(input, output, constraint).cost * (1.0 - kRounding));
+  }
+}
+
+TEST(DynamicTimeWarping, RefusesOptionsOutOfRange) {
+  const FrameMatrix signal = test::noise(10, 2, 1);
+  const auto refuses = [&](const DynamicTimeWarpingOptions& options) {
+    EXPECT_THROW(dynamic_time_warping(signal, signal, LocalConstraint::kTypeI, options), InvalidArgument);
+  };
+  refuses({.weights = Eigen::VectorXd::Zero(2)});
+  refuses({.weights = -Eigen::VectorXd::Ones(2)});
+  refuses({.weights = Eigen::VectorXd::Ones(3)});
+  refuses({.exact_cells = 0});
+  refuses({.band_radius = 0});
+}
+
 TEST(DynamicTimeWarping, RefusesNaN) {
   FrameMatrix bad = FrameMatrix::Zero(5, 1);
   bad(2, 0) = std::nan("");

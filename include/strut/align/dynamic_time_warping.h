@@ -3,6 +3,7 @@
 // Recognition, 1993, table 4.5): what the paper compares iterative motion warping with. It warps time alone.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,20 +26,32 @@ struct FramePair {
   friend bool operator==(const FramePair&, const FramePair&) = default;
 };
 
+/// How a path is searched.
+struct DynamicTimeWarpingOptions {
+  Eigen::VectorXd weights{};  ///< multiplies each degree of freedom's squared distance, >= 0; empty means 1 (dofs)
+  /// The best of all paths is found where no more pairs of frames than this can be reached: all of them by Type I,
+  /// about a third by Type III. A longer pair of signals is searched coarse to fine. >= 1.
+  std::int64_t exact_cells = std::int64_t{1} << 28;
+  int band_radius = 64;  ///< how far from the coarser path a finer one is looked for [output frames], >= 1
+};
+
 /// What dynamic time warping found.
 struct DynamicTimeWarpingResult {
   Correspondence correspondence;  ///< the path as a differential warp: each output frame shared by its input frames
   std::vector<FramePair> path;    ///< from (0, 0) to (last, last), the ends of the steps taken
   double cost = 0;                ///< the path's summed squared distance, each step's weighted by its length
+  bool is_exact = true;           ///< the best of all; false if it was searched coarse to fine
 };
 
 /// Finds the path of least summed squared distance from the first pair of frames to the last. A step counts the
 /// distance at its end times the input and output frames it passes (slope weighting (d), symmetric), the first pair
-/// twice, so no path gains by being short. `input` (m x dofs), `output` (n x dofs), `weights` (dofs) >= 0 as for
-/// time_warp. Throws InvalidArgument if a size does not fit, a number is not finite, a weight is negative, or, for Type
-/// III, one signal has more than twice the steps of the other. Cost O(m n dofs); memory: a byte per pair of frames.
+/// twice, so no path gains by being short. `input` (m x dofs), `output` (n x dofs).
+/// Throws InvalidArgument if a size does not fit, a number is not finite, all weights are zero or one is negative, an
+/// option is out of range, or, for Type III, one signal has more than twice the steps of the other.
+/// Cost O(reachable m n dofs); memory: two bits per reachable pair of frames, so 64 MB by default; beyond, coarse to
+/// fine, O((m + n) dofs) and two bits for every pair in a band of twice the radius.
 DynamicTimeWarpingResult dynamic_time_warping(const Eigen::Ref<const FrameMatrix>& input,
                                               const Eigen::Ref<const FrameMatrix>& output, LocalConstraint constraint,
-                                              const Eigen::VectorXd& weights = {});
+                                              const DynamicTimeWarpingOptions& options = {});
 
 }  // namespace strut::align
