@@ -6,6 +6,8 @@
 #include "align/space_warp_solver.h"
 #include "align/time_warp_search.h"
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -70,6 +72,9 @@ class Alternation {
     space_.apply(space_warp_, warped_);
     const double after = space_.objective(time_warp, space_warp_, warped_, options_.weights);
     const double before = is_first() ? 0.0 : result_.objective.back();
+    if (!std::isfinite(after)) {
+      throw NumericalError("iterative motion warping", "objective", after, std::numeric_limits<double>::max());
+    }
     if (!is_first() && after >= before) return false;
     const bool goes_on = is_first() || before - after > options_.tolerance * before;
     result_.objective.push_back(after);

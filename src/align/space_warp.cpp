@@ -2,7 +2,7 @@
 #include "align/signals.h"
 #include "align/space_warp_solver.h"
 
-#include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <string>
 
@@ -33,9 +33,8 @@ namespace detail {
 
 void check_space_warp(const SpaceWarpOptions& options) {
   for (const double smoothness : {options.scale_smoothness, options.offset_smoothness}) {
-    if (!(smoothness >= 0.0) || !std::isfinite(smoothness)) {
-      throw InvalidArgument("smoothness", "a number that is not negative", std::to_string(smoothness));
-    }
+    if (smoothness >= 0.0 && smoothness <= kLargestSmoothness) continue;
+    throw InvalidArgument("smoothness", "0 to 1e12", std::to_string(smoothness));
   }
 }
 

@@ -16,21 +16,15 @@ namespace {
 // Small against any signal of unit variance, large enough that a determinant keeps half its digits without one.
 constexpr double kRidge = 1e-8;
 
-/// Calls with (input frame, output frame, weight) for every pair that the warp matches, in order of time.
+/// Calls with (output frame, weight) for what one input frame is matched with: its `repetitions` from slot `begin` on.
 template <typename Match>
-void for_each_match(const TimeWarp& warp, Match match) {
-  const int s = warp.resolution;
-  int end = warp.begin;
-  for (std::size_t t = 0; t < warp.repetitions.size(); ++t) {
-    const int r = warp.repetitions[t];
-    const double weight = warp.counts_frames ? static_cast<double>(s) / r : 1.0;
-    int slot = end;
-    end += r;
-    while (slot < end) {
-      const int j = slot / s, next = std::min(end, (j + 1) * s);
-      match(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(j), weight * (next - slot));
-      slot = next;
-    }
+void for_each_match(const TimeWarp& warp, int begin, int repetitions, Match match) {
+  const int s = warp.resolution, end = begin + repetitions;
+  const double weight = warp.counts_frames ? static_cast<double>(s) / repetitions : 1.0;
+  for (int slot = begin; slot < end;) {
+    const int j = slot / s, next = std::min(end, (j + 1) * s);
+    match(j, weight * (next - slot));
+    slot = next;
   }
 }
 
@@ -42,7 +36,7 @@ SpaceWarpSolver::SpaceWarpSolver(const Eigen::Ref<const FrameMatrix>& input,
       output_(output),
       options_(options),
       eliminated_(static_cast<std::size_t>(input.size()) * kEliminated),
-      matched_(static_cast<std::size_t>(input.size())),
+      matched_(static_cast<std::size_t>(input.cols())),
       zeros_(static_cast<std::size_t>(input.cols()) * kEliminated, 0.0),
       error_(input.cols()) {}
 
@@ -51,31 +45,33 @@ void SpaceWarpSolver::solve(const TimeWarp& time_warp, SpaceWarp& warp) {
   const Eigen::Index frames = input_.rows(), dofs = input_.cols();
   const auto count = static_cast<int>(dofs);
   const double f = options_.scale_smoothness, g = options_.offset_smoothness;
-  std::fill(matched_.begin(), matched_.end(), 0.0);
-  for_each_match(time_warp, [&](Eigen::Index t, Eigen::Index j, double weight) {
-    kernels.add_scaled(count, weight, output_.row(j).data(), matched_.data() + t * dofs);
-  });
+  warp.scale.resize(frames, dofs);
+  warp.offset.resize(frames, dofs);
 
   // Forward: the inverse of each eliminated block, and a, b as far as the frames before determine them.
-  const double* before = zeros_.data();
+  const double *before = zeros_.data(), *before_a = before, *before_b = before;
+  int slot = time_warp.begin;
   for (Eigen::Index t = 0; t < frames; ++t) {
-    const int neighbours = (t > 0 ? 1 : 0) + (t + 1 < frames ? 1 : 0);
     const int repetitions = time_warp.repetitions[static_cast<std::size_t>(t)];
+    std::fill(matched_.begin(), matched_.end(), 0.0);
+    for_each_match(time_warp, slot, repetitions, [&](int j, double weight) {
+      kernels.add_scaled(count, weight, output_.row(j).data(), matched_.data());
+    });
+    slot += repetitions;
+    const int neighbours = (t > 0 ? 1 : 0) + (t + 1 < frames ? 1 : 0);
     const double r = time_warp.counts_frames ? time_warp.resolution : repetitions;
     double* now = eliminated_.data() + t * dofs * kEliminated;
     kernels.eliminate(count, {r, f * neighbours + kRidge, g * neighbours + kRidge, f, g, kRidge}, input_.row(t).data(),
-                      matched_.data() + t * dofs, before, now);
+                      matched_.data(), before, before_a, before_b, now, &warp.scale(t, 0), &warp.offset(t, 0));
     before = now;
+    before_a = &warp.scale(t, 0);
+    before_b = &warp.offset(t, 0);
   }
 
   // Backward.
-  warp.scale.resize(frames, dofs);
-  warp.offset.resize(frames, dofs);
-  for (Eigen::Index t = frames - 1; t >= 0; --t) {
-    const double* next_a = t + 1 < frames ? &warp.scale(t + 1, 0) : zeros_.data();
-    const double* next_b = t + 1 < frames ? &warp.offset(t + 1, 0) : zeros_.data();
-    kernels.substitute(count, f, g, eliminated_.data() + t * dofs * kEliminated, next_a, next_b, &warp.scale(t, 0),
-                       &warp.offset(t, 0));
+  for (Eigen::Index t = frames - 2; t >= 0; --t) {
+    kernels.substitute(count, f, g, eliminated_.data() + t * dofs * kEliminated, &warp.scale(t + 1, 0),
+                       &warp.offset(t + 1, 0), &warp.scale(t, 0), &warp.offset(t, 0));
   }
 }
 
@@ -111,9 +107,14 @@ void SpaceWarpSolver::apply(const SpaceWarp& warp, FrameMatrix& p) const {
 void SpaceWarpSolver::add_distance(const TimeWarp& time_warp, const FrameMatrix& p) {
   const WarpKernels& kernels = warp_kernels();
   const auto count = static_cast<int>(error_.size());
-  for_each_match(time_warp, [&](Eigen::Index t, Eigen::Index j, double weight) {
-    kernels.add_squared_differences(count, weight, &p(t, 0), output_.row(j).data(), error_.data());
-  });
+  int slot = time_warp.begin;
+  for (Eigen::Index t = 0; t < p.rows(); ++t) {
+    const int repetitions = time_warp.repetitions[static_cast<std::size_t>(t)];
+    for_each_match(time_warp, slot, repetitions, [&](int j, double weight) {
+      kernels.add_squared_differences(count, weight, &p(t, 0), output_.row(j).data(), error_.data());
+    });
+    slot += repetitions;
+  }
 }
 
 double SpaceWarpSolver::weighted_error(const Eigen::VectorXd& weights) const {

@@ -14,7 +14,7 @@
 
 namespace strut::align::detail {
 
-/// Throws InvalidArgument unless both are numbers that are not negative.
+/// Throws InvalidArgument unless both are 0 ... kLargestSmoothness.
 void check_space_warp(const SpaceWarpOptions& options);
 
 /// Signals and time warps are checked by the caller, and outlive it.
@@ -38,7 +38,9 @@ class SpaceWarpSolver {
 
   Eigen::Ref<const FrameMatrix> input_, output_;
   SpaceWarpOptions options_;
-  math::AlignedVector<double> eliminated_, matched_, zeros_;
+  math::AlignedVector<double> eliminated_;  // of every frame
+  math::AlignedVector<double> matched_;     // W' y of one
+  math::AlignedVector<double> zeros_;
   Eigen::VectorXd error_;  // by degree of freedom
 };
 

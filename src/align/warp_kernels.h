@@ -13,8 +13,8 @@ inline constexpr int kTileFrames = 8;   ///< output frames of a tile: degree of 
 inline constexpr int kGroupFrames = 4;  ///< input frames whose distances are computed at once
 inline constexpr int kSlotLanes = 8;    ///< slots or cells decided at once
 
-/// Numbers per degree of freedom that elimination keeps of a frame: the inverse block aa, ab, bb, and a, b so far.
-inline constexpr int kEliminated = 5;
+/// Numbers per degree of freedom that elimination keeps of a frame, beside a and b: the inverse block aa, ab, bb.
+inline constexpr int kEliminated = 3;
 
 /// What the elimination of a frame's degrees of freedom needs beside its row of numbers (space_warp.cpp).
 struct Elimination {
@@ -46,11 +46,11 @@ struct WarpKernels {
   void (*step_type_iii)(int width, const double* one, const double* two, const double* distance, double* best,
                         std::uint16_t* steps);
   void (*step_type_i)(int width, const double* one, const double* distance, double* best, std::uint16_t* steps);
-  /// Eliminates a frame: `before` and `now` are kEliminated rows of `dofs` numbers, u the input, v the sum of what it
-  /// is matched with (times its weight).
+  /// Eliminates a frame: `before` and `now` are kEliminated rows of `dofs` numbers, a and b what they are as far as the
+  /// frames up to this one determine them, u the input, v the sum of what it is matched with (times its weight).
   void (*eliminate)(int dofs, const Elimination& with, const double* u, const double* v, const double* before,
-                    double* now);
-  /// a and b of a frame from what elimination kept of it and from the next frame's.
+                    const double* before_a, const double* before_b, double* now, double* a, double* b);
+  /// Adds to a and b of a frame what the next frame's say, by what elimination kept.
   void (*substitute)(int dofs, double beside_a, double beside_b, const double* kept, const double* next_a,
                      const double* next_b, double* a, double* b);
   /// y += scale x.

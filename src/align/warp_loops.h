@@ -167,26 +167,25 @@ void step_type_i(int width, const double* __restrict one, const double* __restri
 }
 
 void eliminate(int dofs, const Elimination& with, const double* __restrict u, const double* __restrict v,
-               const double* __restrict before, double* __restrict now) {
+               const double* __restrict before, const double* __restrict before_a, const double* __restrict before_b,
+               double* __restrict now, double* __restrict a, double* __restrict b) {
   const double f = with.beside_a, g = with.beside_b;
   double* __restrict aa_now = now;
   double* __restrict ab_now = now + dofs;
   double* __restrict bb_now = now + 2 * dofs;
-  double* __restrict a_now = now + 3 * dofs;
-  double* __restrict b_now = now + 4 * dofs;
   for (int d = 0; d < dofs; ++d) {
     const double aa = with.weight * u[d] * u[d] + with.diagonal_a - f * f * before[d];
     const double ab = with.weight * u[d] - f * g * before[d + dofs];
     const double bb = with.weight + with.diagonal_b - g * g * before[d + 2 * dofs];
-    const double right_a = u[d] * v[d] + with.ridge + f * before[d + 3 * dofs];
-    const double right_b = v[d] + g * before[d + 4 * dofs];
+    const double right_a = u[d] * v[d] + with.ridge + f * before_a[d];
+    const double right_b = v[d] + g * before_b[d];
     const double inverse = 1.0 / (aa * bb - ab * ab);
     const double inverse_aa = bb * inverse, inverse_ab = -ab * inverse, inverse_bb = aa * inverse;
     aa_now[d] = inverse_aa;
     ab_now[d] = inverse_ab;
     bb_now[d] = inverse_bb;
-    a_now[d] = inverse_aa * right_a + inverse_ab * right_b;
-    b_now[d] = inverse_ab * right_a + inverse_bb * right_b;
+    a[d] = inverse_aa * right_a + inverse_ab * right_b;
+    b[d] = inverse_ab * right_a + inverse_bb * right_b;
   }
 }
 
@@ -195,8 +194,8 @@ void substitute(int dofs, double beside_a, double beside_b, const double* __rest
                 double* __restrict b) {
   for (int d = 0; d < dofs; ++d) {
     const double right_a = beside_a * next_a[d], right_b = beside_b * next_b[d];
-    a[d] = kept[d + 3 * dofs] + (kept[d] * right_a + kept[d + dofs] * right_b);
-    b[d] = kept[d + 4 * dofs] + (kept[d + dofs] * right_a + kept[d + 2 * dofs] * right_b);
+    a[d] += kept[d] * right_a + kept[d + dofs] * right_b;
+    b[d] += kept[d + dofs] * right_a + kept[d + 2 * dofs] * right_b;
   }
 }
 

@@ -109,6 +109,7 @@ TEST(SpaceWarp, RefusesNegativeSmoothness) {
   const FrameMatrix signal = FrameMatrix::Zero(3, 1);
   EXPECT_THROW(space_warp(signal, signal, {{2, 2, 2}, 2}, {-1.0, 1.0}), InvalidArgument);
   EXPECT_THROW(space_warp(signal, signal, {{2, 2, 2}, 2}, {1.0, std::nan("")}), InvalidArgument);
+  EXPECT_THROW(space_warp(signal, signal, {{2, 2, 2}, 2}, {1e13, 1.0}), InvalidArgument);
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ TEST_F(WarpKernelsOfThisProcessor, StepAndSolveAlike) {
     kernels.add_scaled(kCount, 1.5, one.data(), all.data() + 2 * kSize);
     kernels.add_squared_differences(kCount, 1.5, one.data(), two.data(), all.data() + 2 * kSize);
     kernels.warp(kCount, one.data(), two.data(), distance.data(), all.data() + 3 * kSize);
-    kernels.eliminate(kCount, {2.0, 5.0, 6.0, 2.0, 3.0, 1e-8}, one.data(), two.data(), before.data(),
-                      all.data() + 4 * kSize);
+    kernels.eliminate(kCount, {2.0, 5.0, 6.0, 2.0, 3.0, 1e-8}, one.data(), two.data(), before.data(), one.data(),
+                      two.data(), all.data() + 4 * kSize, all.data() + 3 * kSize, all.data() + 2 * kSize);
     kernels.substitute(kCount, 2.0, 3.0, before.data(), one.data(), two.data(), all.data() + 3 * kSize,
                        all.data() + 2 * kSize);
     return all;

@@ -39,8 +39,9 @@ struct IterativeMotionWarpingResult {
 /// round's is looked for again, around that one.
 /// `input` u (m x dofs) and `output` y (n x dofs) should be normalized (about unit variance), so that the smoothness
 /// weighs the same in every degree of freedom. A round that would raise E by rounding is dropped and ends the search.
-/// Throws InvalidArgument as time_warp and space_warp do, and if max_rounds or the tolerance is out of range.
-/// Cost: rounds times that of time_warp and space_warp. Memory: that of time_warp, and about 10 m + 3 n frames.
+/// Throws InvalidArgument as time_warp and space_warp do, and if max_rounds or the tolerance is out of range;
+/// NumericalError if signals far from unit variance leave no digits of E.
+/// Cost: rounds times that of time_warp and space_warp. Memory: that of time_warp, and about 10 m + 2 n frames.
 IterativeMotionWarpingResult iterative_motion_warping(const Eigen::Ref<const FrameMatrix>& input,
                                                       const Eigen::Ref<const FrameMatrix>& output,
                                                       const IterativeMotionWarpingOptions& options = {});

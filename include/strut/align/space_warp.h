@@ -10,6 +10,9 @@
 
 namespace strut::align {
 
+/// Beyond it, signals of unit variance would be lost in rounding beside it.
+inline constexpr double kLargestSmoothness = 1e12;
+
 /// How stiff the spatial warp is.
 struct SpaceWarpOptions {
   double scale_smoothness = 100;   ///< multiplies the sum over frames of (a[t+1] - a[t])^2: F is sqrt(this) times D
@@ -32,7 +35,7 @@ struct SpaceWarp {
 /// leaves undetermined is settled by a ridge of 1e-8 towards a = 1, b = 0.
 /// `input` (m x dofs), `output` (n x dofs), `time_warp` of m and n frames.
 /// Throws InvalidArgument if a size does not fit, a count is not positive, a number is not finite or a smoothness is
-/// negative. Cost O(frames x dofs).
+/// outside 0 ... kLargestSmoothness. Cost O(frames x dofs).
 SpaceWarp space_warp(const Eigen::Ref<const FrameMatrix>& input, const Eigen::Ref<const FrameMatrix>& output,
                      const TimeWarp& time_warp, const SpaceWarpOptions& options = {});
 
