@@ -1,301 +1,230 @@
 // SPDX-License-Identifier: MIT
-// strut align: which moment of one clip belongs to which of another, by any of the four methods, as a table and as the
-// paper's Figure 2.
-#include "align_plot.h"
+// strut align: which moment of a clip belongs to which moment of others of the same content, as a report, as tables and
+// as a figure.
+#include "align_drawing.h"
+#include "align_report.h"
+#include "alignment.h"
 #include "commands.h"
 #include "input_files.h"
 #include "terminal.h"
 #include "usage.h"
 
-#include <algorithm>
-#include <cctype>
+#include <filesystem>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include <strut/align/dynamic_time_warping.h>
-#include <strut/align/iterative_motion_warping.h>
 #include <strut/align/time_warp.h>
 #include <strut/core/error.h>
 #include <strut/core/file.h>
-#include <strut/io/bvh.h>
-#include <strut/motion/legs.h>
-#include <strut/motion/resample.h>
-#include <strut/representation/alignment_features.h>
-#include <strut/representation/representation.h>
 
 namespace strut::cli {
 namespace {
 
-enum class Method { kImw, kDtw1, kDtw3, kTimeWarp };
+// ---- where results go -----------------------------------------------------------------------------------------------
 
-struct AlignOptions {
-  std::string input, output;
-  Method method = Method::kImw;
-  int slope_limit = 2;
-  double smoothness = 100.0;
-  double warp_smoothness = 10.0;
-  int rounds = 10;
-  std::string csv, plot, dof;
-  bool shared_units = false, force = false;
-};
-
-const std::map<std::string, int>& methods() {
-  const auto number = [](Method method) { return static_cast<int>(method); };
-  static const std::map<std::string, int> names{{"imw", number(Method::kImw)},
-                                                {"dtw1", number(Method::kDtw1)},
-                                                {"dtw3", number(Method::kDtw3)},
-                                                {"timewarp", number(Method::kTimeWarp)}};
-  return names;
-}
-
-const char* title(Method method) {
-  switch (method) {
-    case Method::kImw:
-      return "IMW";
-    case Method::kDtw1:
-      return "DTW, Type I";
-    case Method::kDtw3:
-      return "DTW, Type III";
-    case Method::kTimeWarp:
-      return "the time warp alone";
-  }
-  return "";
-}
-
-std::string file_name(const std::string& path) {
-  return path.substr(path.find_last_of('/') + 1);
-}
-
-/// Two clips of one hierarchy at one frame rate, and what of them is compared.
-struct Clips {
-  Motion input, output;
-  representation::AlignmentPair features;
-};
-
-Clips read_clips(const AlignOptions& options) {
-  PrintedDiagnostics diagnostics;
-  Motion input = read_bvh(options.input, {}, &diagnostics).motion;
-  Motion output = read_bvh(options.output, {}, &diagnostics).motion;
-  if (input.frame_rate() != output.frame_rate()) {
-    diagnostics.note(options.output, fmt::format("resampled from {:g} to {:g} frames/s, the rate of {}",
-                                                 output.frame_rate(), input.frame_rate(), options.input));
-    output = motion::resample(output, input.frame_rate());
-  }
-  for (const auto& [motion, path] : {std::pair(&input, options.input), std::pair(&output, options.output)}) {
-    if (motion->num_frames() < 2) throw BadInput(path, "a clip to align needs at least two frames");
-  }
-  check_same_skeleton(options.output, output.skeleton(), options.input, input.skeleton());
-  using representation::StyleUnits;
-  representation::AlignmentPair features =
-      representation::alignment_features(input, output, options.shared_units ? StyleUnits::kShared : StyleUnits::kOwn);
-  return {std::move(input), std::move(output), std::move(features)};
-}
-
-/// A method's answer and the values of what it minimizes.
-struct Answer {
-  align::Correspondence correspondence;
-  std::vector<double> objective;  ///< after each round; DTW and the time warp alone have none
-};
-
-Answer solve(const representation::AlignmentPair& features, Method method, const AlignOptions& options) {
-  const auto& [input, output] = features;
-  switch (method) {
-    case Method::kImw: {
-      align::IterativeMotionWarpingOptions imw;
-      imw.slope_limit = options.slope_limit;
-      imw.space = {options.smoothness, options.smoothness};
-      imw.max_rounds = options.rounds;
-      auto result = align::iterative_motion_warping(input, output, imw);
-      return {std::move(result.correspondence), std::move(result.objective)};
+/// A file to write for every output clip.
+class ResultFiles {
+ public:
+  /// `target`: a file, or a folder in which every clip gets a file of its own name with `ending`; empty: nothing.
+  /// Refuses what cannot be written. `others`: files that must not be overwritten.
+  ResultFiles(const std::string& target, const AlignOptions& options, const std::string& ending,
+              const std::vector<std::string>& others) {
+    if (target.empty()) return;
+    std::error_code missing;
+    const bool is_folder = std::filesystem::is_directory(target, missing);
+    if (!is_folder && options.outputs.size() > 1) {
+      throw FileError(FileAction::kWrite, target,
+                      "not a folder, and there is a file to write for each of several clips",
+                      "make a folder of this name first");
     }
-    case Method::kDtw1:
-      return {align::dynamic_time_warping(input, output, align::LocalConstraint::kTypeI).correspondence, {}};
-    case Method::kDtw3:
-      return {align::dynamic_time_warping(input, output, align::LocalConstraint::kTypeIII).correspondence, {}};
-    case Method::kTimeWarp:
-      break;
+    std::map<std::string, std::string> writers;
+    for (const std::string& clip : options.outputs) {
+      const std::string stem = std::filesystem::path(clip).stem().string();
+      paths_.push_back(is_folder ? (std::filesystem::path(target) / (stem + ending)).string() : target);
+      const auto [first, is_new] = writers.try_emplace(paths_.back(), clip);
+      if (!is_new) {
+        throw FileError(FileAction::kWrite, paths_.back(),
+                        "two clips would be written to it: " + first->second + " and " + clip,
+                        "align clips of one name apart");
+      }
+      check_output(paths_.back(), others, overwrite_if(options.force));
+    }
   }
-  return {align::time_warp(input, output, {.slope_limit = static_cast<double>(options.slope_limit)}).correspondence(),
-          {}};
-}
 
-void print_clip(const char* role, const std::string& path, const Motion& motion) {
-  fmt::print("{:7} {}: {} frames at {:g} frames/s, {:.2f} s\n", role, path, motion.num_frames(), motion.frame_rate(),
-             motion.duration());
-}
-
-void print_report(const Clips& clips, const Answer& answer, const Eigen::VectorXd& smoothed,
-                  const AlignOptions& options) {
-  print_clip("input", options.input, clips.input);
-  print_clip("output", options.output, clips.output);
-  const auto compared = ((clips.features.input.cwiseAbs().colwise().maxCoeff().array() > 0.0)).count();
-  fmt::print("aligned by {} on {} degrees of freedom\n", title(options.method), compared);
-  for (std::size_t k = 0; k < answer.objective.size(); ++k) {
-    fmt::print("  E after round {:2}  {:14.4f}\n", k + 1, answer.objective[k]);
+  [[nodiscard]] bool is_wanted() const { return !paths_.empty(); }
+  [[nodiscard]] const std::vector<std::string>& paths() const { return paths_; }
+  void keep(std::string text) { texts_.push_back(std::move(text)); }
+  void write(Overwrite overwrite) const {
+    for (std::size_t i = 0; i < texts_.size(); ++i) write_file(paths_[i], texts_[i], overwrite);
   }
-  const auto print_warp = [&](const char* what, const Eigen::VectorXd& w) {
-    fmt::print("{:14} {:.2f} to {:.2f} output frames per input frame, {:.0f} % of the frames at the slope limit {}\n",
-               what, w.minCoeff(), w.maxCoeff(), 100.0 * align::share_at_slope_limit(w, options.slope_limit),
-               options.slope_limit);
-  };
-  print_warp("warp", answer.correspondence.differential_warp);
-  if (options.warp_smoothness > 0.0) print_warp("smoothed warp", smoothed);
+
+ private:
+  std::vector<std::string> paths_, texts_;
+};
+
+std::vector<std::string> with(std::vector<std::string> paths, const std::vector<std::string>& more) {
+  paths.insert(paths.end(), more.begin(), more.end());
+  return paths;
 }
 
-std::string table(const Clips& clips, const align::Correspondence& found, const Eigen::VectorXd& smoothed) {
-  std::string csv = "frame,time_s,output_frame,output_time_s,differential_warp,smoothed_differential_warp\n";
-  const Eigen::VectorXd output_frame = found.output_time();
-  const double rate = clips.input.frame_rate();
-  for (Eigen::Index t = 0; t < output_frame.size(); ++t) {
-    fmt::format_to(std::back_inserter(csv), "{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", t, static_cast<double>(t) / rate,
-                   output_frame[t], output_frame[t] / rate, found.differential_warp[t], smoothed[t]);
-  }
-  return csv;
-}
+// ---- the work -------------------------------------------------------------------------------------------------------
 
-// ---- the figure -----------------------------------------------------------------------------------------------------
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-/// The degree of freedom asked for, by its name or by its joint's (then the axis that moves most); of an empty name the
-/// joint angle that moves most.
-int find_dof(const representation::Representation& representation, const std::string& name,
-             const Eigen::VectorXd& movement) {
-  const std::string wanted = lower(name);
-  int found = -1;
-  std::string names;
-  for (int dof = 0; dof < representation.num_dofs(); ++dof) {
-    const std::string here = representation.dof_name(dof);
-    const std::string joint = here.substr(0, here.find_last_of(' '));
-    names += (dof == 0 ? "" : ", ") + here;
-    if (lower(here) == wanted) return dof;
-    const bool matches = name.empty() ? dof >= representation::kNumRootDofs : lower(joint) == wanted;
-    if (matches && (found < 0 || movement[dof] > movement[found])) found = dof;
-  }
-  if (found < 0)
-    throw InvalidArgument("--dof", "one of the clips' degrees of freedom", "'" + name + "'", "they are: " + names);
-  return found;
-}
-
-bool is_angle(int dof) {
-  return dof >= representation::kTiltX || dof == representation::kTurningRate;
-}
-
-std::string unit(int dof) {
-  if (dof == representation::kTurningRate) return "degrees/s";
-  if (is_angle(dof)) return "degrees";
-  return dof == representation::kHeight ? "m" : "m/s";
-}
-
-/// The curves are drawn about mean orientations that both clips share: that of each its own would hide a difference.
-std::string figure(const Clips& clips, const Answer& answer, const AlignOptions& options) {
-  const auto shared =
-      representation::fit_representation({clips.input, clips.output}, motion::upright_reference(clips.input));
-  const FrameMatrix input = representation::encode(shared, clips.input),
-                    output = representation::encode(shared, clips.output);
-  const Eigen::RowVectorXd mean = input.colwise().mean();
-  const Eigen::VectorXd movement = (input.rowwise() - mean).colwise().squaredNorm().transpose();
-  const int dof = find_dof(shared, options.dof, movement);
-  const double scale = is_angle(dof) ? 180.0 / std::numbers::pi : 1.0;
-  const auto warp_by = [&](Method method) {
-    const Answer& by = method == options.method ? answer : solve(clips.features, method, options);
-    return AlignPlot::Warp{title(method), by.correspondence.output_time()};
-  };
-  const Method other = options.method == Method::kImw ? Method::kDtw1 : options.method;
-  return draw_alignment({fmt::format("{} [{}]", shared.dof_name(dof), unit(dof)),
-                         file_name(options.input),
-                         file_name(options.output),
-                         clips.input.frame_rate(),
-                         scale * input.col(dof),
-                         scale * output.col(dof),
-                         warp_by(options.method),
-                         {warp_by(other), warp_by(Method::kImw)}});
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
+/// What is printed at the end.
+struct Report {
+  std::string text;
+  nlohmann::ordered_json json;
+};
 
 void run(const AlignOptions& options) {
-  const Overwrite overwrite = overwrite_if(options.force);
-  if (!options.csv.empty()) check_output(options.csv, {options.input, options.output}, overwrite);
-  if (!options.plot.empty()) check_output(options.plot, {options.input, options.output, options.csv}, overwrite);
-  const Clips clips = read_clips(options);
-  const Answer answer = naming_the_file(options.output, [&] { return solve(clips.features, options.method, options); });
-  const Eigen::VectorXd smoothed =
-      align::smooth_differential_warp(answer.correspondence.differential_warp, options.warp_smoothness);
-  const std::string plot = options.plot.empty() ? std::string() : figure(clips, answer, options);
-  if (!options.csv.empty()) write_file(options.csv, table(clips, answer.correspondence, smoothed), overwrite);
-  if (!options.plot.empty()) write_file(options.plot, plot, overwrite);
-  print_report(clips, answer, smoothed, options);
+  const std::vector<std::string> clips = with(options.outputs, {options.input});
+  ResultFiles tables(options.csv, options, ".csv", clips);
+  ResultFiles inverses(options.inverse_csv, options, ".inverse.csv", with(clips, tables.paths()));
+  ResultFiles plots(options.plot, options, ".svg", with(with(clips, tables.paths()), inverses.paths()));
+  PrintedDiagnostics diagnostics;
+  const AlignClip input = read_align_clip(options.input, diagnostics);
+  Report report{clip_in_words("input", input), {{"input", clip_as_json(input)}}};
+  for (const std::string& path : options.outputs) {
+    const Alignment a = align_clips(input, read_align_clip(path, diagnostics), options, diagnostics);
+    if (tables.is_wanted()) tables.keep(alignment_table(a));
+    if (inverses.is_wanted()) inverses.keep(inverse_table(a));
+    if (plots.is_wanted()) {
+      plots.keep(draw_alignment(figure_of(a, options), static_cast<FigurePart>(options.figure)));
+    }
+    report.text += alignment_in_words(a, options.outputs.size() == 1);
+    report.json["alignments"].push_back(alignment_as_json(a));
+  }
+  for (const ResultFiles* files : {&tables, &inverses, &plots}) files->write(overwrite_if(options.force));
+  using Json = nlohmann::ordered_json;
+  fmt::print("{}", options.json ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : report.text);
+}
+
+// ---- the options ----------------------------------------------------------------------------------------------------
+
+/// The methods' names to their places in the table, joined for the help, and described.
+struct MethodWords {
+  std::map<std::string, int> numbers;
+  std::string names, descriptions;
+  MethodWords() {
+    for (const AlignMethod& method : align_methods()) {
+      numbers[method.name] = static_cast<int>(numbers.size());
+      names += (names.empty() ? "" : "|") + std::string(method.name);
+      descriptions += (descriptions.empty() ? "" : "; ") + std::string(method.name) + ": " + method.description;
+    }
+  }
+};
+
+/// "BEGIN,END" to the stretch of time.
+Span parse_window(const std::string& word) {
+  const auto comma = word.find(',');
+  Span span;
+  const bool fits = comma != std::string::npos && CLI::detail::lexical_cast(word.substr(0, comma), span.begin) &&
+                    CLI::detail::lexical_cast(word.substr(comma + 1), span.end) && span.begin >= 0.0 &&
+                    span.end > span.begin && span.end < 1e9;
+  if (!fits) throw CLI::ValidationError("--window", "expected two times in seconds, BEGIN,END, got '" + word + "'");
+  return span;
+}
+
+void add_method_options(CLI::App& command, AlignOptions& options) {
+  const MethodWords methods;
+  command
+      .add_option("--method", options.method, methods.descriptions + " (default: " + align_methods().front().name + ")")
+      ->transform(one_of(methods.numbers).description(""))
+      ->type_name(methods.names);
+  command
+      .add_option("--slope-limit", options.settings.slope_limit,
+                  "An input frame covers at most this many output frames and at least one over it; not for dtw1 and "
+                  "dtw3 (default: 2)")
+      ->check(number_in(1, align::kLargestSlopeLimit).description(""))
+      ->type_name("N");
+  command
+      .add_option("--smoothness", options.settings.smoothness,
+                  "Stiffness of imw's spatial warp, for signals of unit variance (default: 100)")
+      ->check(not_negative().description(""))
+      ->type_name("X");
+  command.add_option("--rounds", options.settings.rounds, "At most this many rounds of imw (default: 10)")
+      ->check(number_in(1, 1000).description(""))
+      ->type_name("N");
+  command
+      .add_option("--warp-smoothness", options.warp_smoothness,
+                  "Smoothing of the differential warp in the last column of the table [frames^2]; 0: none "
+                  "(default: 10)")
+      ->check(not_negative().description(""))
+      ->type_name("X");
+  command.add_flag("--shared-units", options.shared_units,
+                   "Compare postures as they are, about one mean and in one unit for both clips (default: each clip "
+                   "about its own mean in its own standard deviation, as strut learn does)");
+  command
+      .add_option("--weight", options.weights,
+                  "How much a joint, or a degree of freedom of it, counts: e.g. LeftUpLeg=2, or 0 to leave it out; may "
+                  "be given several times (default: 1 each)")
+      ->allow_extra_args(false)
+      ->type_name("NAME=X");
+}
+
+void add_result_options(CLI::App& command, AlignOptions& options) {
+  command
+      .add_option(
+          "--csv", options.csv,
+          "Write a table: frame, time [s], output frame, output time [s], differential warp, the same smoothed; "
+          "for several outputs into this folder, one for each (default: none)")
+      ->type_name("FILE");
+  command
+      .add_option("--inverse-csv", options.inverse_csv,
+                  "Write the same the other way around, a row per output frame: its place in the input (default: none)")
+      ->type_name("FILE");
+  CLI::Option* plot =
+      command
+          .add_option(
+              "--plot", options.plot,
+              "Draw an SVG: curves before and after, the distances of all frames with the path, the warp and its "
+              "slope, the footplants of both clips; for several outputs into this folder (default: none)")
+          ->type_name("FILE");
+  command.add_option("--figure", options.figure, "What of it is drawn (default: all)")
+      ->transform(one_of({{"all", static_cast<int>(FigurePart::kAll)},
+                          {"curves", static_cast<int>(FigurePart::kCurves)},
+                          {"matrix", static_cast<int>(FigurePart::kMatrix)},
+                          {"warp", static_cast<int>(FigurePart::kWarp)},
+                          {"footplants", static_cast<int>(FigurePart::kFootplants)}})
+                      .description(""))
+      ->needs(plot)
+      ->type_name("all|curves|matrix|warp|footplants");
+  command
+      .add_option("--dof", options.dof,
+                  "The degree of freedom whose curves are drawn, e.g. 'LeftUpLeg x', or a joint's name (default: the "
+                  "joint angle that moves most)")
+      ->needs(plot)
+      ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--window", [&options](const std::string& word) { options.window = parse_window(word); },
+          "Draw this part of the input only, in seconds (default: all; of long clips the first 12 s, but for the "
+          "warp)")
+      ->needs(plot)
+      ->type_name("BEGIN,END");
 }
 
 }  // namespace
 
 void add_align(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("align", "Find which moment of a clip belongs to which moment of another of the same content");
+      app.add_subcommand("align", "Find which moment of a clip belongs to which moment of others of the same content");
   const auto options = std::make_shared<AlignOptions>();
-  command->add_option("input", options->input, "BVH file: the clip whose frames are given a place")
+  command->add_option("input", options->input, "BVH file: the clip whose frames are given places")
       ->required()
       ->type_name("INPUT");
   command
-      ->add_option("output", options->output, "BVH file of the same hierarchy: the clip in whose time they are placed")
+      ->add_option("output", options->outputs,
+                   "BVH files of the same hierarchy: the clips in whose time they are placed, each by itself")
       ->required()
       ->type_name("OUTPUT");
-  command
-      ->add_option("--method", options->method,
-                   "imw: iterative motion warping; dtw1, dtw3: dynamic time warping with Rabiner and Juang's local "
-                   "constraints of Type I or III; timewarp: the time-warp stage of imw alone (default: imw)")
-      ->transform(one_of(methods()).description(""))
-      ->type_name("imw|dtw1|dtw3|timewarp");
-  command
-      ->add_option("--slope-limit", options->slope_limit,
-                   "An input frame covers at most this many output frames and at least one over it; imw and timewarp "
-                   "(default: 2)")
-      ->check(number_in(1, align::kLargestSlopeLimit).description(""))
-      ->type_name("N");
-  command
-      ->add_option("--smoothness", options->smoothness,
-                   "Stiffness of imw's spatial warp, for signals of unit variance (default: 100)")
-      ->check(not_negative().description(""))
-      ->type_name("X");
-  command->add_option("--rounds", options->rounds, "At most this many rounds of imw (default: 10)")
-      ->check(number_in(1, 1000).description(""))
-      ->type_name("N");
-  command
-      ->add_option("--warp-smoothness", options->warp_smoothness,
-                   "Smoothing of the differential warp in the last column of the table [frames^2]; 0: none "
-                   "(default: 10)")
-      ->check(not_negative().description(""))
-      ->type_name("X");
-  command
-      ->add_option(
-          "--csv", options->csv,
-          "Write a table: frame, time [s], output frame, output time [s], differential warp, the same smoothed "
-          "(default: none)")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--plot", options->plot,
-          "Draw an SVG: a degree of freedom of both clips with what corresponds, then the input warped in time "
-          "by dtw1 (or the method chosen) and by imw (default: none)")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--dof", options->dof,
-          "The degree of freedom to draw, e.g. 'LeftUpLeg x', or a joint's name (default: the joint angle that "
-          "moves most)")
-      ->type_name("NAME");
-  command->add_flag("--shared-units", options->shared_units,
-                    "Compare postures as they are, about one mean and in one unit for both clips (default: each clip "
-                    "about its own mean in its own standard deviation, as strut learn does)");
+  add_method_options(*command, *options);
+  add_result_options(*command, *options);
+  add_feet_option(*command, options->feet);
+  command->add_flag("--json", options->json, "Print JSON, times in seconds (default: text)");
   command->add_flag("--force", options->force, "Overwrite files that exist (default: refuse)");
   command->callback([options] { run(*options); });
 }

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "alignment.h"
+
+#include "input_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include <strut/core/error.h>
+#include <strut/io/bvh.h>
+#include <strut/motion/legs.h>
+#include <strut/motion/resample.h>
+#include <strut/postprocess/footplant_detector.h>
+#include <strut/representation/representation.h>
+
+namespace strut::cli {
+namespace {
+
+using representation::alignment_features;
+using representation::AlignmentPair;
+using representation::StyleUnits;
+
+constexpr double kStill = 1e-9;       // deviations: a signal that spreads less does not move
+constexpr double kMostAtLimit = 0.5;  // share of the frames along the slope limit that a good pair hardly has
+constexpr double kForcedBy = 0.9;     // of the slope limit: lengths that differ so much leave the path no choice
+constexpr double kWholeCycle = 0.9;   // a clip shorter than this share of a gait cycle is not one
+constexpr int kFewestOnsets = 4;      // to call an alignment worse than none
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool moves(const FrameMatrix& signals) {
+  return ((signals.colwise().maxCoeff() - signals.colwise().minCoeff()).array() > kStill).any();
+}
+
+/// Refuses clips of which nothing tells one moment from another: any answer would be as good.
+void check_movement(const AlignClip& input, const AlignClip& output, const AlignmentPair& features) {
+  if (moves(features.input) && moves(features.output)) return;
+  const std::string reason = "nothing moves in it, so no moment can be told from another";
+  for (const AlignClip* clip : {&input, &output}) {
+    if (!moves(alignment_features(clip->motion, clip->motion).input)) throw BadInput(clip->path, reason);
+  }
+  throw BadInput(output.path, "no degree of freedom moves both in it and in " + input.path,
+                 "compare postures as they are with --shared-units");
+}
+
+std::vector<std::string> compared_names(const Motion& motion) {
+  const auto shape = representation::fit_representation({motion}, motion::upright_reference(motion));
+  std::vector<std::string> names;
+  for (int dof = representation::kHeight; dof < shape.num_dofs(); ++dof) names.push_back(shape.dof_name(dof));
+  return names;
+}
+
+/// NAME=X to its parts. Throws InvalidArgument.
+std::pair<std::string, double> parse_weight(const std::string& word) {
+  const auto equals = word.rfind('=');
+  double weight = std::nan("");
+  const bool fits = equals != std::string::npos && equals > 0 &&
+                    CLI::detail::lexical_cast(word.substr(equals + 1), weight) && weight >= 0.0 &&
+                    std::isfinite(weight);
+  if (!fits) {
+    throw InvalidArgument("--weight", "NAME=X with a number X that is not negative", "'" + word + "'",
+                          "e.g. --weight LeftUpLeg=2");
+  }
+  return {word.substr(0, equals), weight};
+}
+
+/// What every degree of freedom weighs; empty if nothing was said. A joint's name stands for all of its own.
+Eigen::VectorXd weights_of(const Motion& motion, const std::vector<std::string>& words) {
+  if (words.empty()) return {};
+  const std::vector<std::string> names = compared_names(motion);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(names.size()));
+  for (const std::string& word : words) {
+    const auto [name, weight] = parse_weight(word);
+    const std::string wanted = lower(name);
+    find_dof("--weight", names, name, Eigen::VectorXd::Zero(weights.size()));
+    for (std::size_t dof = 0; dof < names.size(); ++dof) {
+      const std::string here = lower(names[dof]);
+      const std::string joint = here.substr(0, here.find_last_of(' '));
+      if (here == wanted || joint == wanted) weights[static_cast<Eigen::Index>(dof)] = weight;
+    }
+  }
+  if (!(weights.maxCoeff() > 0.0)) throw InvalidArgument("--weight", "a weight above 0", "nothing but 0");
+  return weights;
+}
+
+std::optional<std::vector<motion::Footplant>> plants_of(const AlignClip& clip, const FeetOptions& feet,
+                                                        std::string& missing) {
+  if (feet.left.empty() && !motion::find_legs(clip.motion)) {
+    if (missing.empty()) missing = "no two legs were found in " + clip.path;
+    return std::nullopt;
+  }
+  return postprocess::detect_footplants(clip.motion, legs_of(clip.path, clip.motion, feet));
+}
+
+// ---- what to be wary of ---------------------------------------------------------------------------------------------
+
+void warn_of_lengths(Alignment& a) {
+  const double ratio = std::max(a.even.slope[0], 1.0 / a.even.slope[0]);
+  if (a.slope_limit == 0.0 || ratio < kForcedBy * a.slope_limit || a.slope_limit == 1.0) return;
+  a.warnings.warn(a.output.path,
+                  fmt::format("one clip lasts {:.2f} times as long as the other: a slope limit of {:g} leaves the warp "
+                              "hardly a choice",
+                              ratio, a.slope_limit),
+                  "raise --slope-limit, or cut the clips to the same content");
+}
+
+void warn_of_limit(Alignment& a) {
+  if (a.slope_limit == 0.0 || a.slope_limit == 1.0) return;
+  const double share = align::share_at_slope_limit(a.smoothed.slope, a.slope_limit);
+  if (share <= kMostAtLimit) return;
+  a.warnings.warn(
+      a.output.path,
+      fmt::format("the warp runs along the slope limit {:g} for {:.0f} % of the frames even after smoothing",
+                  a.slope_limit, 100.0 * share),
+      "the clips may not be of the same content; raise --slope-limit if they are");
+}
+
+void warn_of_short_clips(Alignment& a) {
+  if (!a.plants.input || !a.plants.output) return;
+  const double in = cycle_length(*a.plants.input), out = cycle_length(*a.plants.output);
+  const auto check = [&](const AlignClip& clip, double cycle) {
+    const double frames = clip.motion.num_frames();
+    if (cycle == 0.0 || frames >= kWholeCycle * cycle) return;
+    a.warnings.warn(clip.path,
+                    fmt::format("is shorter ({:.2f} s) than a gait cycle ({:.2f} s)", frames / clip.motion.frame_rate(),
+                                cycle / clip.motion.frame_rate()),
+                    "its first and last frames decide what belongs together; see that both clips begin at the same "
+                    "moment of the gait");
+  };
+  check(*a.input, in > 0.0 ? in : out);
+  check(a.output, out > 0.0 ? out : in);
+}
+
+void warn_of_footplants(Alignment& a) {
+  if (!a.found.onsets || a.found.onsets->num_pairs < kFewestOnsets) return;
+  const double mean = a.smoothed.onsets->mean, even = a.even.onsets->mean;
+  const double frame_ms = 1e3 / a.input->motion.frame_rate();
+  if (mean <= even + 0.5 || a.even.onsets->num_pairs < a.smoothed.onsets->num_pairs) return;
+  a.warnings.warn(a.output.path,
+                  fmt::format("footplants are {:.0f} ms from where the alignment puts them, and {:.0f} ms if the input "
+                              "is stretched evenly",
+                              mean * frame_ms, even * frame_ms),
+                  "look at --plot before relying on it");
+}
+
+}  // namespace
+
+int find_dof(const std::string& option, const std::vector<std::string>& names, const std::string& name,
+             const Eigen::VectorXd& rank) {
+  const std::string wanted = lower(name);
+  int found = -1;
+  std::string all;
+  for (int dof = 0; dof < static_cast<int>(names.size()); ++dof) {
+    const std::string& here = names[static_cast<std::size_t>(dof)];
+    all += (dof == 0 ? "" : ", ") + here;
+    if (lower(here) == wanted) return dof;
+    if (lower(here.substr(0, here.find_last_of(' '))) == wanted && (found < 0 || rank[dof] > rank[found])) found = dof;
+  }
+  if (found >= 0) return found;
+  throw InvalidArgument(option, "one of the clips' degrees of freedom or joints", "'" + name + "'", "they are: " + all);
+}
+
+AlignClip read_align_clip(const std::string& path, Diagnostics& diagnostics) {
+  Motion motion = read_bvh(path, {}, &diagnostics).motion;
+  if (motion.num_frames() < 2) throw BadInput(path, "a clip to align needs at least two frames");
+  return {path, std::move(motion)};
+}
+
+int num_compared(const Alignment& alignment) {
+  Eigen::ArrayXd reach = alignment.features.input.cwiseAbs().colwise().maxCoeff().transpose().array();
+  if (alignment.settings.weights.size() > 0) reach *= alignment.settings.weights.array();
+  return static_cast<int>((reach > 0.0).count());
+}
+
+AlignAnswer solve(const Alignment& alignment, const AlignMethod& method) {
+  return naming_the_file(alignment.output.path, [&] { return method.solve(alignment.features, alignment.settings); });
+}
+
+JudgedWarp judge(const Alignment& alignment, const Eigen::VectorXd& slope) {
+  JudgedWarp judged{slope, align::Correspondence{slope}.output_time(), {}};
+  if (alignment.plants.input && alignment.plants.output) {
+    judged.onsets = onset_errors(*alignment.plants.input, *alignment.plants.output, judged.output_time);
+  }
+  return judged;
+}
+
+Alignment align_clips(const AlignClip& input, AlignClip output, const AlignOptions& options, Diagnostics& diagnostics) {
+  check_same_skeleton(output.path, output.motion.skeleton(), input.path, input.motion.skeleton());
+  const double rate = input.motion.frame_rate();
+  if (output.motion.frame_rate() != rate) {
+    diagnostics.note(output.path, fmt::format("resampled from {:g} to {:g} frames/s, the rate of {}",
+                                              output.motion.frame_rate(), rate, input.path));
+    output.motion = motion::resample(output.motion, rate);
+  }
+  Alignment a{.input = &input, .output = std::move(output)};
+  a.method = &align_methods()[static_cast<std::size_t>(options.method)];
+  a.settings = options.settings;
+  a.settings.weights = weights_of(input.motion, options.weights);
+  a.slope_limit = a.method->slope_limit(a.settings);
+  a.features =
+      alignment_features(input.motion, a.output.motion, options.shared_units ? StyleUnits::kShared : StyleUnits::kOwn);
+  check_movement(input, a.output, a.features);
+  a.plants.input = plants_of(input, options.feet, a.no_plants);
+  a.plants.output = plants_of(a.output, options.feet, a.no_plants);
+  a.answer = solve(a, *a.method);
+  const Eigen::VectorXd& slope = a.answer.correspondence.differential_warp;
+  a.found = judge(a, slope);
+  a.smoothed = judge(a, align::smooth_differential_warp(slope, options.warp_smoothness));
+  a.even = judge(a, Eigen::VectorXd::Constant(slope.size(), slope.mean()));
+  warn_of_lengths(a);
+  warn_of_limit(a);
+  warn_of_short_clips(a);
+  warn_of_footplants(a);
+  diagnostics.append(a.warnings);
+  return a;
+}
+
+}  // namespace strut::cli
