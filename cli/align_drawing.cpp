@@ -189,7 +189,7 @@ void add_caption(AlignFigure& figure, const Alignment& a) {
   if (has_rings) parts += "; rings: where a left (filled) or right (open) foot comes down in both clips";
   figure.caption.push_back(parts + ".");
   if (figure.close.input.end < figure.whole.input.end) {
-    figure.caption.push_back(fmt::format("(a), (b) and (d) show the first {:g} s.", figure.close.input.end));
+    figure.caption.push_back(fmt::format("(a), (b), the slope and (d) show the first {:g} s.", figure.close.input.end));
   }
 }
 

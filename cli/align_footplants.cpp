@@ -31,8 +31,8 @@ class Footplants {
 
   double draw() {
     draw_title(svg_, kFigureLeft, top_ - kUpperAxis - 7.0, "Footplants");
-    svg_.text({kFigureWidth - kFigureRight, top_ - kUpperAxis - 7.0},
-              errors(figure_.chosen) + "  |  " + errors(figure_.compared), "text-anchor=\"end\" font-size=\"9\"");
+    svg_.text({kFigureWidth - kFigureRight, top_ - kUpperAxis - 7.0}, errors(),
+              "text-anchor=\"end\" font-size=\"9.5\"");
     svg_.axis_above(input_, top_ - 4.0, "", 8);
     svg_.text({kFigureLeft - 6.0, top_ - 10.0}, "input [s]", "text-anchor=\"end\" font-size=\"9\"");
     svg_.axis_below(output_, bottom() + 4.0, "", 8);
@@ -59,11 +59,21 @@ class Footplants {
   [[nodiscard]] double bottom() const { return lane(1).output + kBarHeight; }
   [[nodiscard]] double seconds(double frames) const { return frames / figure_.frame_rate; }
 
-  [[nodiscard]] std::string errors(const AlignFigure::Warp& warp) const {
-    if (!warp.onsets || warp.onsets->num_pairs == 0) return warp.title + ": nothing to pair";
-    const OnsetErrors& found = *warp.onsets;
-    return fmt::format("{}: mean error {:.0f} ms, largest {:.0f} ms, {} of {} paired", warp.title,
-                       1e3 * seconds(found.mean), 1e3 * seconds(found.largest), found.num_pairs, found.onsets.size());
+  [[nodiscard]] bool is_shown(double frame, const Scale& x) const {
+    return seconds(frame) >= x.low && seconds(frame) <= x.high;
+  }
+
+  [[nodiscard]] std::string errors() const {
+    const auto &found = figure_.chosen.onsets, &other = figure_.compared.onsets;
+    if (!found || found->num_pairs == 0) return "no foot comes down in both clips";
+    std::string text =
+        fmt::format("mean error {:.0f} ms, largest {:.0f} ms, {} of {} paired", 1e3 * seconds(found->mean),
+                    1e3 * seconds(found->largest), found->num_pairs, found->onsets.size());
+    if (other && other->num_pairs > 0) {
+      text += fmt::format("; by {}: mean {:.0f} ms, {} paired", figure_.compared.title, 1e3 * seconds(other->mean),
+                          other->num_pairs);
+    }
+    return text;
   }
 
   void bars(const std::vector<motion::Footplant>& plants, int foot, const Scale& x, double top, const char* color) {
@@ -88,12 +98,17 @@ class Footplants {
     bars(*figure_.plants.input, foot, input_, at.input, kInputColor);
     bars(*figure_.plants.output, foot, output_, at.output, kOutputColor);
     const auto& found = figure_.chosen.onsets;
-    if (!found || found->onsets.size() > kMostTies) return;
+    if (!found ||
+        static_cast<std::size_t>(std::count_if(found->onsets.begin(), found->onsets.end(),
+                                               [&](const auto& o) { return is_shown(o.input, input_); })) > kMostTies) {
+      return;
+    }
     for (const OnsetPair& onset : found->onsets) {
-      if (onset.foot == foot && seconds(onset.input) <= input_.high) tie(onset, at);
+      if (onset.foot == foot && is_shown(onset.input, input_)) tie(onset, at);
     }
     for (const OnsetPair& onset : found->unpaired) {
-      if (onset.foot == foot) cross({output_.at(seconds(onset.output)), at.output - 5.0});
+      if (onset.foot == foot && is_shown(onset.output, output_))
+        cross({output_.at(seconds(onset.output)), at.output - 5.0});
     }
   }
 

@@ -30,8 +30,8 @@ class Warps {
  private:
   using Values = std::function<double(Eigen::Index)>;
 
-  [[nodiscard]] Scale time(double left) const {
-    return {figure_.whole.input.begin, figure_.whole.input.end, left, left + kPanelWidth};
+  [[nodiscard]] static Scale time(double left, const FigureWindow& window) {
+    return {window.input.begin, window.input.end, left, left + kPanelWidth};
   }
   [[nodiscard]] Scale up(double low, double high, bool logarithmic = false) const {
     return {low, high, top_ + kPanelHeight, top_, logarithmic};
@@ -45,7 +45,7 @@ class Warps {
     std::vector<Point> points;
     for (Eigen::Index t = 0; t < figure_.even.size(); ++t) {
       const double at = seconds(static_cast<double>(t));
-      if (is_shown(at)) points.push_back({x.at(at), y.at(value(t))});
+      if (at >= x.low && at <= x.high) points.push_back({x.at(at), y.at(value(t))});
     }
     svg_.curve(points, line);
   }
@@ -72,7 +72,7 @@ class Warps {
   void clip(const Scale& x) { svg_.begin_clip({x.from, top_ - 1.0}, kPanelWidth, kPanelHeight + 2.0); }
 
   void warp_panel(double left) {
-    const Scale x = time(left), y = up(figure_.whole.output.begin, figure_.whole.output.end);
+    const Scale x = time(left, figure_.whole), y = up(figure_.whole.output.begin, figure_.whole.output.end);
     axes(x, y, "Time warp", "output's time [s]");
     clip(x);
     curve(x, y, kEvenLine, [&](Eigen::Index t) { return seconds(figure_.even[t]); });
@@ -103,7 +103,7 @@ class Warps {
       }
     }
     const double room = std::max(0.06 * (high - low), 0.5 / figure_.frame_rate);
-    const Scale x = time(left), y = up(low - room, high + room);
+    const Scale x = time(left, figure_.whole), y = up(low - room, high + room);
     axes(x, y, "Against an even stretch", "later by [s]");
     clip(x);
     curve(x, y, kEvenLine, [](Eigen::Index) { return 0.0; });
@@ -119,7 +119,7 @@ class Warps {
     const double mean = figure_.chosen.slope.mean();
     const double most =
         limit > 0.0 ? std::max(limit * kBeyondLimit, 1.5) : kUnlimitedSlope * std::max(mean, 1.0 / mean);
-    const Scale x = time(left), y = up(1.0 / most, most, true);
+    const Scale x = time(left, figure_.close), y = up(1.0 / most, most, true);
     axes(x, y, "Slope", "output / input frames");
     clip(x);
     const auto level = [&](double value, const char* line) {

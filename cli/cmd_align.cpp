@@ -86,8 +86,11 @@ void run(const AlignOptions& options) {
   ResultFiles plots(options.plot, options, ".svg", with(with(clips, tables.paths()), inverses.paths()));
   PrintedDiagnostics diagnostics;
   const AlignClip input = read_align_clip(options.input, diagnostics);
+  ProgressLine progress("strut align");
   Report report{clip_in_words("input", input), {{"input", clip_as_json(input)}}};
   for (const std::string& path : options.outputs) {
+    progress.update("aligning", static_cast<int>(&path - options.outputs.data()),
+                    static_cast<int>(options.outputs.size()));
     const Alignment a = align_clips(input, read_align_clip(path, diagnostics), options, diagnostics);
     if (tables.is_wanted()) tables.keep(alignment_table(a));
     if (inverses.is_wanted()) inverses.keep(inverse_table(a));
