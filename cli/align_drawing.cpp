@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "align_drawing.h"
 
+#include "input_files.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -73,7 +75,26 @@ void add_curves(AlignFigure& figure, const Alignment& a, const std::string& want
 
 AlignFigure::Warp warp_of(const AlignMethod& method, double slope_limit, const JudgedWarp& found,
                           const Eigen::VectorXd& smoothed) {
-  return {method.title, found.output_time, found.slope, smoothed, slope_limit, found.onsets};
+  return {method.title, found.output_time, found.warp.differential_warp, smoothed, slope_limit, found.onsets};
+}
+
+/// The method beside the chosen one; the even stretch where it cannot align these clips.
+AlignAnswer add_compared(AlignFigure& figure, const Alignment& a, const AlignOptions& options,
+                         Diagnostics& diagnostics) {
+  const AlignMethod& other = compared_method(*a.method, a.settings.time.ends);
+  try {
+    AlignAnswer answer = solve(a, other);
+    figure.compared = warp_of(other, other.slope_limit(a.settings), judge(a, answer.correspondence),
+                              smoothed(answer.correspondence, options.warp_smoothness).differential_warp);
+    return answer;
+  } catch (const BadInput& error) {
+    diagnostics.note(a.output.path,
+                     fmt::format("not drawn beside {}: {}, which cannot align them", a.method->title, other.title),
+                     error.hint());
+    figure.compared = warp_of(other, 0.0, a.even, a.even.warp.differential_warp);
+    figure.compared.title = kEvenTitle;
+    return {};
+  }
 }
 
 /// The part of the output that belongs to a part of the input.
@@ -102,11 +123,13 @@ void add_windows(AlignFigure& figure, const Alignment& a, const std::optional<Sp
       throw InvalidArgument("--window", fmt::format("a part of the input, which lasts {:.2f} s", input.end),
                             fmt::format("{:g} to {:g} s", asked->begin, asked->end));
     }
-    figure.whole = figure.close = window_of(part, figure);
+    figure.mapped = figure.whole = figure.close = window_of(part, figure);
     return;
   }
-  figure.whole = figure.close = {input, output};
-  if (input.end > kLongestClose) figure.close = window_of({0.0, kCloseLength}, figure);
+  const bool is_open = !figure.begins_fixed || !figure.ends_fixed;
+  figure.whole = is_open ? window_of(input, figure) : FigureWindow{input, output};
+  figure.close = input.end > kLongestClose ? window_of({0.0, kCloseLength}, figure) : figure.whole;
+  figure.mapped = is_open ? FigureWindow{input, output} : figure.close;
 }
 
 FrameMatrix part_of(const FrameMatrix& rows, const Span& span, double rate) {
@@ -127,13 +150,13 @@ double darkest_of(const std::vector<AlignFigure::Map>& maps) {
 std::vector<AlignFigure::Map> maps_of(const AlignFigure& figure, const Alignment& a, const AlignAnswer& compared,
                                       Eigen::Index cells) {
   const auto weighted = [&](FrameMatrix rows) {
-    if (a.settings.weights.size() > 0) rows *= a.settings.weights.cwiseSqrt().asDiagonal();
+    if (a.settings.time.weights.size() > 0) rows *= a.settings.time.weights.cwiseSqrt().asDiagonal();
     return rows;
   };
-  const FrameMatrix output = weighted(part_of(a.features.output, figure.close.output, figure.frame_rate));
+  const FrameMatrix output = weighted(part_of(a.features.output, figure.mapped.output, figure.frame_rate));
   std::vector<AlignFigure::Map> maps;
   const auto add = [&](const std::string& title, const FrameMatrix& input) {
-    const FrameMatrix part = weighted(part_of(input, figure.close.input, figure.frame_rate));
+    const FrameMatrix part = weighted(part_of(input, figure.mapped.input, figure.frame_rate));
     maps.push_back({title, block_distances(part, output, cells)});
   };
   add("Distance of the clips\u2019 frames", a.features.input);
@@ -165,9 +188,10 @@ void add_caption(AlignFigure& figure, const Alignment& a) {
   std::string text = fmt::format("{} {} Aligned by {} on {} degrees of freedom", told(*a.input, "Input"),
                                  told(a.output, "Output"), a.method->title, num_compared(a));
   if (a.slope_limit > 0.0) {
-    text += fmt::format(" with a slope limit of {:g}: {:.0f} % of the frames run along it, {:.0f} % after smoothing",
-                        a.slope_limit, 100.0 * align::share_at_slope_limit(a.found.slope, a.slope_limit),
-                        100.0 * align::share_at_slope_limit(a.smoothed.slope, a.slope_limit));
+    text +=
+        fmt::format(" with a slope limit of {:g}: {:.0f} % of the frames run along it, {:.0f} % after smoothing",
+                    a.slope_limit, 100.0 * align::share_at_slope_limit(a.found.warp.differential_warp, a.slope_limit),
+                    100.0 * align::share_at_slope_limit(a.smoothed.warp.differential_warp, a.slope_limit));
   }
   figure.caption.push_back(text + ".");
   const double ms = 1e3 / figure.frame_rate;
@@ -204,21 +228,19 @@ FrameMatrix block_distances(const Eigen::Ref<const FrameMatrix>& input, const Ei
   return distances.cwiseMax(0.0);
 }
 
-AlignFigure figure_of(const Alignment& a, const AlignOptions& options) {
-  const AlignMethod& other = align_method(a.method->compared_with);
-  const AlignAnswer compared = solve(a, other);
-  const Eigen::VectorXd& slope = compared.correspondence.differential_warp;
+AlignFigure figure_of(const Alignment& a, const AlignOptions& options, Diagnostics& diagnostics) {
   AlignFigure figure;
   figure.frame_rate = a.input->motion.frame_rate();
   figure.input_name = file_name(a.input->path);
   figure.output_name = file_name(a.output.path);
-  figure.chosen = warp_of(*a.method, a.slope_limit, a.found, a.smoothed.slope);
-  figure.compared = warp_of(other, other.slope_limit(a.settings), judge(a, slope),
-                            align::smooth_differential_warp(slope, options.warp_smoothness));
+  figure.begins_fixed = a.settings.time.ends == align::Ends::kFixed || a.settings.time.ends == align::Ends::kOpenEnd;
+  figure.ends_fixed = a.settings.time.ends == align::Ends::kFixed || a.settings.time.ends == align::Ends::kOpenBegin;
+  figure.chosen = warp_of(*a.method, a.slope_limit, a.found, a.smoothed.warp.differential_warp);
   figure.even = a.even.output_time;
-  figure.compared_first = compared.seen_input.size() == 0;
   figure.plants = a.plants;
   figure.no_plants = a.no_plants;
+  const AlignAnswer compared = add_compared(figure, a, options, diagnostics);
+  figure.compared_first = compared.seen_input.size() == 0;
   add_curves(figure, a, options.dof);
   add_windows(figure, a, options.window);
   add_maps(figure, a, compared);

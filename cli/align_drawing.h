@@ -10,9 +10,10 @@
 
 namespace strut::cli {
 
-/// What is drawn of `alignment`. Solves the pair by the method it is compared with too. Throws InvalidArgument for a
+/// What is drawn of `alignment`. Solves the pair by the method it is compared with too, and says so if
+/// that cannot. Throws InvalidArgument for a
 /// --dof or --window that is not of these clips. Cost: that of aligning, and O(frames x dofs).
-AlignFigure figure_of(const Alignment& alignment, const AlignOptions& options);
+AlignFigure figure_of(const Alignment& alignment, const AlignOptions& options, Diagnostics& diagnostics);
 
 /// Mean squared distances between blocks of frames: rows for `output`'s frames from `output_begin` on, columns for
 /// `input`'s; at most `most` of either, of the given numbers of frames. Exact, from the blocks' means alone. Cost

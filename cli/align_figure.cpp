@@ -38,8 +38,8 @@ double clip_legend(Svg& svg, const AlignFigure& figure, double top) {
 double method_legend(Svg& svg, const AlignFigure& figure, double top) {
   Legend legend(svg, top + 10.0);
   legend.add(figure.chosen.title, kChosenLine);
-  legend.add(figure.compared.title, kComparedLine);
-  legend.add("even stretch", kEvenLine);
+  if (figure.compared.title != kEvenTitle) legend.add(figure.compared.title, kComparedLine);
+  legend.add(kEvenTitle, kEvenLine);
   if (figure.chosen.slope_limit > 0.0) {
     legend.add(fmt::format("slope limit {:.3g}", figure.chosen.slope_limit), kLimitLine);
   }

@@ -53,11 +53,13 @@ struct AlignFigure {
   Eigen::VectorXd even;        ///< output time of every input frame if the input were stretched evenly [output frames]
   bool compared_first = true;  ///< the order of the curves' warped panels
   double darkest = 1.0;        ///< the distance from which on the maps are darkest
-  std::vector<Map> maps;       ///< of `close`
+  std::vector<Map> maps;       ///< of `mapped`
+  bool begins_fixed = true, ends_fixed = true;  ///< whether the input's ends must be the output's
   AlignPlants plants;
   std::string no_plants;  ///< why there are none; empty if there are
+  FigureWindow mapped;    ///< what the maps show
   FigureWindow whole;     ///< what the warps show
-  FigureWindow close;     ///< what all else shows: of long clips a beginning
+  FigureWindow close;     ///< what curves, slope and footplants show: of long clips a beginning
   std::vector<std::string> caption;
 };
 
@@ -86,6 +88,7 @@ inline constexpr std::size_t kMostRings = 80;
 inline constexpr const char* kChosenLine = "stroke=\"#111\" stroke-width=\"1.6\"";
 inline constexpr const char* kComparedLine = "stroke=\"#009e73\" stroke-width=\"1.1\" stroke-dasharray=\"5 2.5\"";
 inline constexpr const char* kEvenLine = "stroke=\"#777\" stroke-width=\"0.9\" stroke-dasharray=\"1 2.4\"";
+inline constexpr const char* kEvenTitle = "even stretch";
 inline constexpr const char* kLimitLine = "stroke=\"#777\" stroke-width=\"0.8\" stroke-dasharray=\"7 2 1.5 2\"";
 
 /// The title of a panel at its left edge.

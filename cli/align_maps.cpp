@@ -20,7 +20,7 @@ struct Box {
 class Maps {
  public:
   Maps(Svg& svg, const AlignFigure& figure, double top) : svg_(svg), figure_(figure), top_(top + kTitleHeight) {
-    const double ratio = figure.close.output.length() / figure.close.input.length();
+    const double ratio = figure.mapped.output.length() / figure.mapped.input.length();
     height_ = kMapWidth * std::clamp(ratio, kFlattest, kSteepest);
   }
 
@@ -37,7 +37,7 @@ class Maps {
  private:
   void draw_map_panel(const Box& box, const AlignFigure::Map& map, bool is_first) {
     const double half = 0.5 / figure_.frame_rate;  // a cell is a frame wide and centred on it
-    const auto& [input, output] = figure_.close;
+    const auto& [input, output] = figure_.mapped;
     const Scale x{input.begin - half, input.end + half, box.left, box.left + box.width};
     const Scale y{output.begin - half, output.end + half, box.top + box.height, box.top};
     draw_title(svg_, box.left, box.top - 7.0, map.title);
@@ -52,26 +52,26 @@ class Maps {
     svg_.axis_left(y, box.left, is_first ? "output's time [s]" : "");
   }
 
-  /// What the slope limit leaves to paths from end to end: the cone from the beginning and that to the end.
+  /// What the slope limit leaves to a path: the cone from a fixed beginning and that to a fixed end. Both are at the
+  /// edges of the first and last frames.
   void slope_limit(const Scale& x, const Scale& y) {
-    const double limit = figure_.chosen.slope_limit;
-    if (limit == 0.0) return;
-    const double rate = figure_.frame_rate;
-    const double first_in = 0.0, last_in = static_cast<double>(figure_.chosen.output_time.size() - 1) / rate;
-    const double first_out = figure_.chosen.output_time[0] / rate;
-    const double last_out = figure_.chosen.output_time[figure_.chosen.output_time.size() - 1] / rate;
-    const double in = last_in - first_in, out = last_out - first_out;
+    const double limit = figure_.chosen.slope_limit, half = 0.5 / figure_.frame_rate;
+    if (limit <= 1.0) return;
+    const double in = static_cast<double>(figure_.chosen.output_time.size()) / figure_.frame_rate;
+    const double out = static_cast<double>(figure_.output_curve.size()) / figure_.frame_rate;
     for (const double slope : {limit, 1.0 / limit}) {
-      // Where the edge from the beginning meets that to the end of the other slope.
+      // Where the edge from the beginning meets that to the end, which has the other slope.
       const double other = 1.0 / slope;
-      if (std::abs(slope - other) < 1e-9) continue;
       const double meets = std::clamp((out - other * in) / (slope - other), 0.0, in);
-      for (const char* line : {"stroke=\"#fff\" stroke-width=\"2.4\"", kLimitLine}) {
-        svg_.curve({{x.at(first_in), y.at(first_out)},
-                    {x.at(first_in + meets), y.at(first_out + slope * meets)},
-                    {x.at(last_in), y.at(last_out)}},
-                   line);
-      }
+      std::vector<Point> edge;
+      if (figure_.begins_fixed) edge.push_back({0.0, 0.0});
+      if (figure_.begins_fixed && figure_.ends_fixed) edge.push_back({meets, slope * meets});
+      if (figure_.begins_fixed && !figure_.ends_fixed) edge.push_back({in, slope * in});
+      if (!figure_.begins_fixed && figure_.ends_fixed) edge.push_back({0.0, out - slope * in});
+      if (figure_.ends_fixed) edge.push_back({in, out});
+      for (Point& point : edge) point = {x.at(point.x - half), y.at(point.y - half)};
+      if (edge.empty()) return;
+      for (const char* line : {"stroke=\"#fff\" stroke-width=\"2.4\"", kLimitLine}) svg_.curve(edge, line);
     }
   }
 
@@ -79,7 +79,7 @@ class Maps {
     std::vector<Point> points;
     for (Eigen::Index t = 0; t < output_time.size(); ++t) {
       const double time = static_cast<double>(t) / figure_.frame_rate;
-      if (time < figure_.close.input.begin || time > figure_.close.input.end) continue;
+      if (time < figure_.mapped.input.begin || time > figure_.mapped.input.end) continue;
       points.push_back({x.at(time), y.at(output_time[t] / figure_.frame_rate)});
     }
     if (casing > 0.0) svg_.curve(points, fmt::format("stroke=\"#fff\" stroke-width=\"{}\"", casing));

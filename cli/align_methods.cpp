@@ -2,12 +2,12 @@
 #include "align_methods.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include <strut/align/dynamic_time_warping.h>
 #include <strut/align/iterative_motion_warping.h>
 #include <strut/align/time_warp.h>
-#include <strut/core/error.h>
 
 namespace strut::cli {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using representation::AlignmentPair;
 
 double slope_limit_given(const AlignSettings& settings) {
-  return settings.slope_limit;
+  return settings.time.slope_limit;
 }
 double no_slope_limit(const AlignSettings&) {
   return 0.0;
@@ -25,17 +25,16 @@ double slope_limit_two(const AlignSettings&) {
 }
 
 AlignAnswer by_imw(const AlignmentPair& features, const AlignSettings& settings) {
-  align::IterativeMotionWarpingOptions options;
-  options.slope_limit = settings.slope_limit;
-  options.space = {settings.smoothness, settings.smoothness};
-  options.max_rounds = settings.rounds;
-  options.weights = settings.weights;
+  const align::IterativeMotionWarpingOptions options{
+      settings.time, {settings.smoothness, settings.smoothness}, settings.rounds};
   auto result = align::iterative_motion_warping(features.input, features.output, options);
-  return {std::move(result.correspondence), std::move(result.objective), result.space_warp.apply(features.input)};
+  return {std::move(result.correspondence), std::move(result.objective), result.space_warp.apply(features.input),
+          result.time_warp.is_exact};
 }
 
 AlignAnswer by_dtw(const AlignmentPair& features, const AlignSettings& settings, align::LocalConstraint constraint) {
-  return {align::dynamic_time_warping(features.input, features.output, constraint, settings.weights).correspondence};
+  return {
+      align::dynamic_time_warping(features.input, features.output, constraint, settings.time.weights).correspondence};
 }
 AlignAnswer by_dtw1(const AlignmentPair& features, const AlignSettings& settings) {
   return by_dtw(features, settings, align::LocalConstraint::kTypeI);
@@ -45,29 +44,30 @@ AlignAnswer by_dtw3(const AlignmentPair& features, const AlignSettings& settings
 }
 
 AlignAnswer by_time_warp(const AlignmentPair& features, const AlignSettings& settings) {
-  const auto counts = align::time_warp(features.input, features.output, settings.slope_limit, settings.weights);
-  return {align::from_repetitions(counts, settings.slope_limit)};
+  const align::TimeWarp warp = align::time_warp(features.input, features.output, settings.time);
+  return {warp.correspondence(), {}, {}, warp.is_exact};
 }
 
 }  // namespace
 
 const std::vector<AlignMethod>& align_methods() {
   static const std::vector<AlignMethod> methods{
-      {"imw", "IMW", "iterative motion warping", "dtw1", slope_limit_given, by_imw},
+      {"imw", "IMW", "iterative motion warping", "dtw1", true, slope_limit_given, by_imw},
       {"dtw1", "DTW, Type I", "dynamic time warping with Rabiner and Juang's local constraint of Type I, any slope",
-       "imw", no_slope_limit, by_dtw1},
-      {"dtw3", "DTW, Type III", "the same of Type III, slopes 1/2 to 2", "imw", slope_limit_two, by_dtw3},
-      {"timewarp", "the time warp alone", "the time-warp stage of imw", "imw", slope_limit_given, by_time_warp},
+       "imw", false, no_slope_limit, by_dtw1},
+      {"dtw3", "DTW, Type III", "the same of Type III, slopes 1/2 to 2", "imw", false, slope_limit_two, by_dtw3},
+      {"timewarp", "the time warp alone", "the time-warp stage of imw", "imw", true, slope_limit_given, by_time_warp},
   };
   return methods;
 }
 
-const AlignMethod& align_method(const std::string& name) {
+const AlignMethod& compared_method(const AlignMethod& method, align::Ends ends) {
   const auto& all = align_methods();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const AlignMethod& method) { return method.name == name; });
-  if (found == all.end()) throw InvalidArgument("name", "a method", "'" + name + "'");
-  return *found;
+  const auto usual = std::find_if(all.begin(), all.end(), [&](const AlignMethod& other) {
+    return std::string(other.name) == method.compared_with;
+  });
+  if (usual->opens_ends || ends == align::Ends::kFixed) return *usual;
+  return *std::find_if(all.rbegin(), all.rend(), [&](const AlignMethod& other) { return other.opens_ends; });
 }
 
 }  // namespace strut::cli

@@ -3,12 +3,10 @@
 // completion, reports and figures take it from there.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include <strut/align/correspondence.h>
+#include <strut/align/time_warp.h>
 #include <strut/math/frame_matrix.h>
 #include <strut/representation/alignment_features.h>
 
@@ -16,10 +14,9 @@ namespace strut::cli {
 
 /// What a person may set of an alignment; each method takes what it knows.
 struct AlignSettings {
-  int slope_limit = 2;
-  double smoothness = 100.0;  ///< of the spatial warp
+  align::TimeWarpOptions time{};  ///< slope limit, resolution, ends, weights
+  double smoothness = 100.0;      ///< of the spatial warp
   int rounds = 10;
-  Eigen::VectorXd weights{};  ///< of every degree of freedom, >= 0; empty: 1
 };
 
 /// A method's answer.
@@ -27,6 +24,7 @@ struct AlignAnswer {
   align::Correspondence correspondence;
   std::vector<double> objective{};  ///< what it minimizes, after each round; empty where there are no rounds
   FrameMatrix seen_input{};         ///< the input as it was compared in the end; empty: as it is
+  bool is_exact = true;             ///< false if not all warps were looked at
 };
 
 /// One method.
@@ -35,6 +33,7 @@ struct AlignMethod {
   const char* title;          ///< to a person
   const char* description;    ///< in the help
   const char* compared_with;  ///< the name of the method drawn beside it
+  bool opens_ends;            ///< whether it can look for the input inside the output
   /// The largest output frames per input frame; 0: any.
   double (*slope_limit)(const AlignSettings&);
   /// Throws InvalidArgument as the library does.
@@ -44,7 +43,7 @@ struct AlignMethod {
 /// All of them, the default first.
 const std::vector<AlignMethod>& align_methods();
 
-/// The one called `name`, which must be there.
-const AlignMethod& align_method(const std::string& name);
+/// The method that is drawn beside `method`. With open ends it is another one if the usual one cannot do that.
+const AlignMethod& compared_method(const AlignMethod& method, align::Ends ends);
 
 }  // namespace strut::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "align_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -49,15 +50,50 @@ Json onsets_as_json(const OnsetErrors& errors, double frame_rate) {
   return json;
 }
 
-/// Rows for the frames of a clip and their places in another.
-std::string table(const char* other, double rate, const JudgedWarp& found, const Eigen::VectorXd& smoothed) {
+/// Rows for the frames of a clip from `first` on, and their places in another.
+std::string table(const char* other, double rate, Eigen::Index first, const align::Correspondence& found,
+                  const Eigen::VectorXd& smoothed) {
   std::string csv =
       fmt::format("frame,time_s,{0}_frame,{0}_time_s,differential_warp,smoothed_differential_warp\n", other);
-  for (Eigen::Index t = 0; t < found.slope.size(); ++t) {
-    fmt::format_to(std::back_inserter(csv), "{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", t, static_cast<double>(t) / rate,
-                   found.output_time[t], found.output_time[t] / rate, found.slope[t], smoothed[t]);
+  const Eigen::VectorXd place = found.output_time();
+  for (Eigen::Index t = 0; t < place.size(); ++t) {
+    fmt::format_to(std::back_inserter(csv), "{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", first + t,
+                   static_cast<double>(first + t) / rate, place[t], place[t] / rate, found.differential_warp[t],
+                   smoothed[t]);
   }
   return csv;
+}
+
+/// From a time of the output [frames] to that of the input, for times that rise from call to call.
+class InverseWarp {
+ public:
+  explicit InverseWarp(const align::Correspondence& warp)
+      : slope_(warp.differential_warp), passed_(warp.output_begin) {}
+
+  double at(double output) {
+    while (t_ + 1 < slope_.size() && passed_ + slope_[t_] < output) passed_ += slope_[t_++];
+    return std::clamp(static_cast<double>(t_) + (output - passed_) / slope_[t_], 0.0,
+                      static_cast<double>(slope_.size()));
+  }
+
+ private:
+  const Eigen::VectorXd& slope_;
+  double passed_;  ///< of the output before input frame t_
+  Eigen::Index t_ = 0;
+};
+
+/// The inverse for the output frames [first, end): a warp from them into the input.
+align::Correspondence inverse(const align::Correspondence& warp, Eigen::Index first, Eigen::Index end) {
+  InverseWarp to_input(warp);
+  align::Correspondence result{Eigen::VectorXd(end - first)};
+  double last = result.output_begin = to_input.at(static_cast<double>(first));
+  for (Eigen::Index j = first; j < end; ++j) {
+    const double next = to_input.at(static_cast<double>(j + 1));
+    result.differential_warp[j - first] = next - last;
+    last = next;
+  }
+  result.output_rest = static_cast<double>(warp.differential_warp.size()) - last;
+  return result;
 }
 
 }  // namespace
@@ -73,8 +109,14 @@ std::string alignment_in_words(const Alignment& a, bool with_rounds) {
   for (std::size_t k = 0; with_rounds && k < a.answer.objective.size(); ++k) {
     text += fmt::format("  E after round {:2}  {:14.4f}\n", k + 1, a.answer.objective[k]);
   }
-  text += warp_in_words("warp", a.found.slope, a.slope_limit);
-  if (a.smoothed.slope != a.found.slope) text += warp_in_words("smoothed warp", a.smoothed.slope, a.slope_limit);
+  if (a.settings.time.ends != align::Ends::kFixed) {
+    const double rate = a.input->motion.frame_rate();
+    text += fmt::format("{:14} the input from {:.2f} to {:.2f} s of the output\n", "found",
+                        a.found.warp.output_begin / rate, a.found.warp.output_end() / rate);
+  }
+  text += warp_in_words("warp", a.found.warp.differential_warp, a.slope_limit);
+  if (a.smoothed.warp.differential_warp != a.found.warp.differential_warp)
+    text += warp_in_words("smoothed warp", a.smoothed.warp.differential_warp, a.slope_limit);
   return text + onsets_in_words(a);
 }
 
@@ -90,8 +132,10 @@ Json alignment_as_json(const Alignment& a) {
   Json json{{"output", clip_as_json(a.output)}, {"method", a.method->name}, {"degrees_of_freedom", num_compared(a)}};
   if (a.slope_limit > 0.0) json["slope_limit"] = a.slope_limit;
   if (!a.answer.objective.empty()) json["objective"] = a.answer.objective;
-  json["warp"] = warp_as_json(a.found.slope, a.slope_limit);
-  json["smoothed_warp"] = warp_as_json(a.smoothed.slope, a.slope_limit);
+  json["output_begin_s"] = a.found.warp.output_begin / rate;
+  json["output_end_s"] = a.found.warp.output_end() / rate;
+  json["warp"] = warp_as_json(a.found.warp.differential_warp, a.slope_limit);
+  json["smoothed_warp"] = warp_as_json(a.smoothed.warp.differential_warp, a.slope_limit);
   if (a.found.onsets) {
     json["footplants"] = onsets_as_json(*a.found.onsets, rate);
     json["footplants_smoothed"] = onsets_as_json(*a.smoothed.onsets, rate);
@@ -104,29 +148,16 @@ Json alignment_as_json(const Alignment& a) {
   return json;
 }
 
-Eigen::VectorXd inverse_slope(const Eigen::VectorXd& slope) {
-  const auto frames = static_cast<Eigen::Index>(std::llround(slope.sum()));
-  Eigen::VectorXd inverse(frames);
-  double passed = 0.0, last = 0.0;  // output frames before input frame t; input time at which output frame j begins
-  Eigen::Index t = 0;
-  for (Eigen::Index j = 0; j < frames; ++j) {
-    while (t + 1 < slope.size() && passed + slope[t] < static_cast<double>(j + 1)) passed += slope[t++];
-    const double end = j + 1 == frames ? static_cast<double>(slope.size())
-                                       : static_cast<double>(t) + (static_cast<double>(j + 1) - passed) / slope[t];
-    inverse[j] = end - last;
-    last = end;
-  }
-  return inverse;
-}
-
 std::string alignment_table(const Alignment& a) {
-  return table("output", a.input->motion.frame_rate(), a.found, a.smoothed.slope);
+  return table("output", a.input->motion.frame_rate(), 0, a.found.warp, a.smoothed.warp.differential_warp);
 }
 
 std::string inverse_table(const Alignment& a) {
-  const Eigen::VectorXd slope = inverse_slope(a.found.slope);
-  const JudgedWarp inverse{slope, align::Correspondence{slope}.output_time(), {}};
-  return table("input", a.input->motion.frame_rate(), inverse, inverse_slope(a.smoothed.slope));
+  // The output frames whose middles the input covers.
+  const auto first = static_cast<Eigen::Index>(std::llround(a.found.warp.output_begin));
+  const auto end = std::max(first + 1, static_cast<Eigen::Index>(std::llround(a.found.warp.output_end())));
+  return table("input", a.input->motion.frame_rate(), first, inverse(a.found.warp, first, end),
+               inverse(a.smoothed.warp, first, end).differential_warp);
 }
 
 }  // namespace strut::cli

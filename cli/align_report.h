@@ -24,11 +24,8 @@ nlohmann::ordered_json clip_as_json(const AlignClip& clip);
 /// smoothed_differential_warp.
 std::string alignment_table(const Alignment& alignment);
 
-/// The other way around, a row per output frame: frame, time_s, input_frame, input_time_s, differential_warp,
-/// smoothed_differential_warp. The warp's exact inverse, not an alignment of its own.
+/// The other way around, a row per output frame that the input covers: frame, time_s, input_frame, input_time_s,
+/// differential_warp, smoothed_differential_warp. The warp's exact inverse, not an alignment of its own.
 std::string inverse_table(const Alignment& alignment);
-
-/// The differential warp of the inverse of the warp `slope`: input frames per output frame (output frames).
-Eigen::VectorXd inverse_slope(const Eigen::VectorXd& slope);
 
 }  // namespace strut::cli

@@ -38,14 +38,18 @@ bool moves(const FrameMatrix& signals) {
 }
 
 /// Refuses clips of which nothing tells one moment from another: any answer would be as good.
-void check_movement(const AlignClip& input, const AlignClip& output, const AlignmentPair& features) {
-  if (moves(features.input) && moves(features.output)) return;
+void check_movement(const AlignClip& input, const AlignClip& output, const AlignmentPair& features,
+                    const Eigen::VectorXd& weights) {
+  const auto counts = [&](const FrameMatrix& signals) {
+    return moves(weights.size() > 0 ? FrameMatrix(signals * weights.asDiagonal()) : signals);
+  };
+  if (counts(features.input) && counts(features.output)) return;
   const std::string reason = "nothing moves in it, so no moment can be told from another";
   for (const AlignClip* clip : {&input, &output}) {
     if (!moves(alignment_features(clip->motion, clip->motion).input)) throw BadInput(clip->path, reason);
   }
-  throw BadInput(output.path, "no degree of freedom moves both in it and in " + input.path,
-                 "compare postures as they are with --shared-units");
+  throw BadInput(output.path, "no degree of freedom that counts moves both in it and in " + input.path,
+                 "leave out --weight, or compare postures as they are with --shared-units");
 }
 
 std::vector<std::string> compared_names(const Motion& motion) {
@@ -100,8 +104,11 @@ std::optional<std::vector<motion::Footplant>> plants_of(const AlignClip& clip, c
 // ---- what to be wary of ---------------------------------------------------------------------------------------------
 
 void warn_of_lengths(Alignment& a) {
-  const double ratio = std::max(a.even.slope[0], 1.0 / a.even.slope[0]);
-  if (a.slope_limit == 0.0 || ratio < kForcedBy * a.slope_limit || a.slope_limit == 1.0) return;
+  const double slope = a.even.warp.differential_warp[0];
+  const double ratio = std::max(slope, 1.0 / slope);
+  if (a.settings.time.ends != align::Ends::kFixed || a.slope_limit == 0.0 || ratio < kForcedBy * a.slope_limit ||
+      a.slope_limit == 1.0)
+    return;
   a.warnings.warn(a.output.path,
                   fmt::format("one clip lasts {:.2f} times as long as the other: a slope limit of {:g} leaves the warp "
                               "hardly a choice",
@@ -111,7 +118,7 @@ void warn_of_lengths(Alignment& a) {
 
 void warn_of_limit(Alignment& a) {
   if (a.slope_limit == 0.0 || a.slope_limit == 1.0) return;
-  const double share = align::share_at_slope_limit(a.smoothed.slope, a.slope_limit);
+  const double share = align::share_at_slope_limit(a.smoothed.warp.differential_warp, a.slope_limit);
   if (share <= kMostAtLimit) return;
   a.warnings.warn(
       a.output.path,
@@ -173,16 +180,20 @@ AlignClip read_align_clip(const std::string& path, Diagnostics& diagnostics) {
 
 int num_compared(const Alignment& alignment) {
   Eigen::ArrayXd reach = alignment.features.input.cwiseAbs().colwise().maxCoeff().transpose().array();
-  if (alignment.settings.weights.size() > 0) reach *= alignment.settings.weights.array();
+  if (alignment.settings.time.weights.size() > 0) reach *= alignment.settings.time.weights.array();
   return static_cast<int>((reach > 0.0).count());
+}
+
+align::Correspondence smoothed(const align::Correspondence& warp, double smoothness) {
+  return {align::smooth_differential_warp(warp.differential_warp, smoothness), warp.output_begin, warp.output_rest};
 }
 
 AlignAnswer solve(const Alignment& alignment, const AlignMethod& method) {
   return naming_the_file(alignment.output.path, [&] { return method.solve(alignment.features, alignment.settings); });
 }
 
-JudgedWarp judge(const Alignment& alignment, const Eigen::VectorXd& slope) {
-  JudgedWarp judged{slope, align::Correspondence{slope}.output_time(), {}};
+JudgedWarp judge(const Alignment& alignment, const align::Correspondence& warp) {
+  JudgedWarp judged{warp, warp.output_time(), {}};
   if (alignment.plants.input && alignment.plants.output) {
     judged.onsets = onset_errors(*alignment.plants.input, *alignment.plants.output, judged.output_time);
   }
@@ -200,18 +211,27 @@ Alignment align_clips(const AlignClip& input, AlignClip output, const AlignOptio
   Alignment a{.input = &input, .output = std::move(output)};
   a.method = &align_methods()[static_cast<std::size_t>(options.method)];
   a.settings = options.settings;
-  a.settings.weights = weights_of(input.motion, options.weights);
+  a.settings.time.weights = weights_of(input.motion, options.weights);
+  if (a.settings.time.ends != align::Ends::kFixed && !a.method->opens_ends) {
+    throw InvalidArgument("--ends", std::string("fixed with --method ") + a.method->name, "open ones",
+                          "imw and timewarp can look for a clip inside another");
+  }
   a.slope_limit = a.method->slope_limit(a.settings);
   a.features =
       alignment_features(input.motion, a.output.motion, options.shared_units ? StyleUnits::kShared : StyleUnits::kOwn);
-  check_movement(input, a.output, a.features);
+  check_movement(input, a.output, a.features, a.settings.time.weights);
   a.plants.input = plants_of(input, options.feet, a.no_plants);
   a.plants.output = plants_of(a.output, options.feet, a.no_plants);
   a.answer = solve(a, *a.method);
-  const Eigen::VectorXd& slope = a.answer.correspondence.differential_warp;
-  a.found = judge(a, slope);
-  a.smoothed = judge(a, align::smooth_differential_warp(slope, options.warp_smoothness));
-  a.even = judge(a, Eigen::VectorXd::Constant(slope.size(), slope.mean()));
+  const align::Correspondence& found = a.answer.correspondence;
+  a.found = judge(a, found);
+  a.smoothed = judge(a, smoothed(found, options.warp_smoothness));
+  const Eigen::Index frames = found.differential_warp.size();
+  a.even = judge(
+      a, {Eigen::VectorXd::Constant(frames, found.differential_warp.mean()), found.output_begin, found.output_rest});
+  if (!a.answer.is_exact) {
+    diagnostics.note(a.output.path, "so long a pair is searched coarse to fine: the warp need not be the best of all");
+  }
   warn_of_lengths(a);
   warn_of_limit(a);
   warn_of_short_clips(a);

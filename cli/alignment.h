@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <strut/align/correspondence.h>
 #include <strut/core/diagnostics.h>
 #include <strut/motion/motion.h>
 #include <strut/representation/alignment_features.h>
@@ -43,7 +44,7 @@ struct AlignClip {
 
 /// A warp, how it runs, and how it meets the footplants.
 struct JudgedWarp {
-  Eigen::VectorXd slope;        ///< differential warp (input frames)
+  align::Correspondence warp;
   Eigen::VectorXd output_time;  ///< [output frames] (input frames)
   std::optional<OnsetErrors> onsets{};
 };
@@ -73,9 +74,12 @@ int num_compared(const Alignment& alignment);
 /// BadInput, naming the output's file, where there is nothing to align by or no alignment within the limits.
 Alignment align_clips(const AlignClip& input, AlignClip output, const AlignOptions& options, Diagnostics& diagnostics);
 
+/// `warp` with its differential warp smoothed.
+align::Correspondence smoothed(const align::Correspondence& warp, double smoothness);
+
 /// The same pair aligned by another method, judged in the same way.
 AlignAnswer solve(const Alignment& alignment, const AlignMethod& method);
-JudgedWarp judge(const Alignment& alignment, const Eigen::VectorXd& slope);
+JudgedWarp judge(const Alignment& alignment, const align::Correspondence& warp);
 
 /// The degree of freedom called `name`: its own name or its joint's; then of the joint's the one for which `rank` is
 /// highest. Throws InvalidArgument for `option`, with all names, if there is none.

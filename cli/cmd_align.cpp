@@ -95,7 +95,7 @@ void run(const AlignOptions& options) {
     if (tables.is_wanted()) tables.keep(alignment_table(a));
     if (inverses.is_wanted()) inverses.keep(inverse_table(a));
     if (plots.is_wanted()) {
-      plots.keep(draw_alignment(figure_of(a, options), static_cast<FigurePart>(options.figure)));
+      plots.keep(draw_alignment(figure_of(a, options, diagnostics), static_cast<FigurePart>(options.figure)));
     }
     report.text += alignment_in_words(a, options.outputs.size() == 1);
     report.json["alignments"].push_back(alignment_as_json(a));
@@ -138,11 +138,27 @@ void add_method_options(CLI::App& command, AlignOptions& options) {
       ->transform(one_of(methods.numbers).description(""))
       ->type_name(methods.names);
   command
-      .add_option("--slope-limit", options.settings.slope_limit,
-                  "An input frame covers at most this many output frames and at least one over it; not for dtw1 and "
-                  "dtw3 (default: 2)")
+      .add_option("--slope-limit", options.settings.time.slope_limit,
+                  "An input frame covers at most this many output frames and at least one over it, e.g. 1.5; not for "
+                  "dtw1 and dtw3 (default: 2)")
       ->check(number_in(1, align::kLargestSlopeLimit).description(""))
+      ->type_name("X");
+  command
+      .add_option("--resolution", options.settings.time.resolution,
+                  "Parts of an output frame that are told apart; finer is slower and less jagged (default: the slope "
+                  "limit, or what it takes to come near it)")
+      ->check(number_in(1, align::kLargestResolution).description(""))
       ->type_name("N");
+  command
+      .add_option("--ends", options.settings.time.ends,
+                  "Whether the input must begin and end where the output does, or may anywhere in it, as a short clip "
+                  "inside a long one; imw and timewarp (default: fixed)")
+      ->transform(one_of({{"fixed", static_cast<int>(align::Ends::kFixed)},
+                          {"open-begin", static_cast<int>(align::Ends::kOpenBegin)},
+                          {"open-end", static_cast<int>(align::Ends::kOpenEnd)},
+                          {"open", static_cast<int>(align::Ends::kOpen)}})
+                      .description(""))
+      ->type_name("fixed|open-begin|open-end|open");
   command
       .add_option("--smoothness", options.settings.smoothness,
                   "Stiffness of imw's spatial warp, for signals of unit variance (default: 100)")
