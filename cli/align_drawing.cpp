@@ -193,6 +193,10 @@ void add_caption(AlignFigure& figure, const Alignment& a) {
                     a.slope_limit, 100.0 * align::share_at_slope_limit(a.found.warp.differential_warp, a.slope_limit),
                     100.0 * align::share_at_slope_limit(a.smoothed.warp.differential_warp, a.slope_limit));
   }
+  if (a.settings.time.ends != align::Ends::kFixed) {
+    text += fmt::format("; found from {:.2f} to {:.2f} s of the output", a.found.warp.output_begin / figure.frame_rate,
+                        a.found.warp.output_end() / figure.frame_rate);
+  }
   figure.caption.push_back(text + ".");
   const double ms = 1e3 / figure.frame_rate;
   if (a.found.onsets && a.found.onsets->num_pairs > 0) {

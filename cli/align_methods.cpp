@@ -56,7 +56,7 @@ const std::vector<AlignMethod>& align_methods() {
       {"dtw1", "DTW, Type I", "dynamic time warping with Rabiner and Juang's local constraint of Type I, any slope",
        "imw", false, no_slope_limit, by_dtw1},
       {"dtw3", "DTW, Type III", "the same of Type III, slopes 1/2 to 2", "imw", false, slope_limit_two, by_dtw3},
-      {"timewarp", "the time warp alone", "the time-warp stage of imw", "imw", true, slope_limit_given, by_time_warp},
+      {"timewarp", "time warp alone", "the time-warp stage of imw", "imw", true, slope_limit_given, by_time_warp},
   };
   return methods;
 }

@@ -22,11 +22,12 @@ using representation::alignment_features;
 using representation::AlignmentPair;
 using representation::StyleUnits;
 
-constexpr double kStill = 1e-9;       // deviations: a signal that spreads less does not move
-constexpr double kMostAtLimit = 0.5;  // share of the frames along the slope limit that a good pair hardly has
-constexpr double kForcedBy = 0.9;     // of the slope limit: lengths that differ so much leave the path no choice
-constexpr double kWholeCycle = 0.9;   // a clip shorter than this share of a gait cycle is not one
-constexpr int kFewestOnsets = 4;      // to call an alignment worse than none
+constexpr double kStill = 1e-9;        // deviations: a signal that spreads less does not move
+constexpr double kMostAtLimit = 0.5;   // share of the frames along the slope limit that a good pair hardly has
+constexpr double kForcedBy = 0.9;      // of the slope limit: lengths that differ so much leave the path no choice
+constexpr double kLongestStall = 0.5;  // [s] a moment that lasts longer in the other clip is none
+constexpr double kWholeCycle = 0.9;    // a clip shorter than this share of a gait cycle is not one
+constexpr int kFewestOnsets = 4;       // to call an alignment worse than none
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -125,6 +126,17 @@ void warn_of_limit(Alignment& a) {
       fmt::format("the warp runs along the slope limit {:g} for {:.0f} % of the frames even after smoothing",
                   a.slope_limit, 100.0 * share),
       "the clips may not be of the same content; raise --slope-limit if they are");
+}
+
+void warn_of_stalls(Alignment& a) {
+  if (a.slope_limit > 0.0) return;
+  const Eigen::VectorXd& slope = a.found.warp.differential_warp;
+  const double longest = std::max(slope.maxCoeff(), 1.0 / slope.minCoeff());
+  if (longest < kLongestStall * a.input->motion.frame_rate()) return;
+  a.warnings.warn(a.output.path,
+                  fmt::format("one frame of one clip belongs to {:.0f} frames ({:.2f} s) of the other", longest,
+                              longest / a.input->motion.frame_rate()),
+                  "the clips may not be of the same content; a method with a slope limit does not stand still");
 }
 
 void warn_of_short_clips(Alignment& a) {
@@ -234,6 +246,7 @@ Alignment align_clips(const AlignClip& input, AlignClip output, const AlignOptio
   }
   warn_of_lengths(a);
   warn_of_limit(a);
+  warn_of_stalls(a);
   warn_of_short_clips(a);
   warn_of_footplants(a);
   diagnostics.append(a.warnings);

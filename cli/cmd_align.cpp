@@ -29,16 +29,16 @@ namespace {
 /// A file to write for every output clip.
 class ResultFiles {
  public:
-  /// `target`: a file, or a folder in which every clip gets a file of its own name with `ending`; empty: nothing.
+  /// `target`: a file; for several clips, or with a slash at its end, a folder in which every clip gets a file of its
+  /// own name with `ending`; empty: nothing.
   /// Refuses what cannot be written. `others`: files that must not be overwritten.
   ResultFiles(const std::string& target, const AlignOptions& options, const std::string& ending,
               const std::vector<std::string>& others) {
     if (target.empty()) return;
     std::error_code missing;
-    const bool is_folder = std::filesystem::is_directory(target, missing);
-    if (!is_folder && options.outputs.size() > 1) {
-      throw FileError(FileAction::kWrite, target,
-                      "not a folder, and there is a file to write for each of several clips",
+    const bool is_folder = options.outputs.size() > 1 || target.back() == '/';
+    if (is_folder && !std::filesystem::is_directory(target, missing)) {
+      throw FileError(FileAction::kWrite, target, "not a folder, which is needed for files of several clips",
                       "make a folder of this name first");
     }
     std::map<std::string, std::string> writers;

@@ -141,6 +141,7 @@ TEST_F(Align, MeasuresHowFarFootplantsAreFromWhereItPutsThem) {
   }
   const Json& found = told.at("alignments").at(0).at("footplants");
   ASSERT_GE(pairs, 6);
+  ASSERT_GT(sum, 0.0);
   EXPECT_EQ(found.at("paired"), pairs);
   EXPECT_EQ(found.at("unpaired_input"), 0);
   EXPECT_EQ(found.at("unpaired_output"), 0);
@@ -189,8 +190,12 @@ TEST_F(Align, AlignsSeveralClipsEachIntoAFileOfItsOwn) {
   const ProgramResult all = align({walk, slow, brisk, "--csv", folder_.file("all"), "--plot", folder_.file("all")});
   ASSERT_EQ(all.exit_code, 0) << all.err;
   EXPECT_THAT(all.out, testing::AllOf(HasSubstr("slow.bvh: "), HasSubstr("brisk.bvh: "), Not(HasSubstr("round"))));
+  std::filesystem::create_directory(folder_.file("one"));
   ASSERT_EQ(align({walk, brisk, "--csv", folder_.file("one.csv")}).exit_code, 0);
-  EXPECT_EQ(read_file(folder_.file("all/brisk.csv")), read_file(folder_.file("one.csv")));
+  ASSERT_EQ(align({walk, brisk, "--csv", folder_.file("one/")}).exit_code, 0);
+  for (const char* table : {"all/brisk.csv", "one/brisk.csv"}) {
+    EXPECT_EQ(read_file(folder_.file(table)), read_file(folder_.file("one.csv"))) << table;
+  }
   for (const char* file : {"all/slow.csv", "all/slow.svg", "all/brisk.svg"}) {
     EXPECT_NE(read_file(folder_.file(file)), "") << file;
   }
@@ -267,6 +272,56 @@ TEST_F(Align, WarnsOfLengthsThatLeaveNoChoice) {
   const ProgramResult result = align({half, walk});
   EXPECT_THAT(result.err, HasSubstr("times as long as the other: a slope limit of 2 leaves the warp hardly a choice"));
   EXPECT_THAT(align({half, walk, "--slope-limit", "4"}).err, Not(HasSubstr("hardly a choice")));
+}
+
+TEST_F(Align, WarnsWhereDynamicTimeWarpingStandsStill) {
+  const std::string walk = clip("walk.bvh", 1.0, 4.0);
+  const ProgramResult result = align({beginning("a.bvh", walk, 20), walk, "--method", "dtw1"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, testing::ContainsRegex("one frame of one clip belongs to [0-9]+ frames"));
+  EXPECT_THAT(align({walk, clip("slow.bvh", 0.8, 4.0), "--method", "dtw1"}).err, Not(HasSubstr("one frame of")));
+}
+
+TEST_F(Align, TakesAnySlopeLimitAndResolution) {
+  const std::string walk = clip("walk.bvh", 1.0), slow = clip("slow.bvh", 0.8);
+  const std::string table = folder_.file("table.csv");
+  const Json told = json_of(align({walk, slow, "--slope-limit", "1.6", "--resolution", "8", "--csv", table, "--json"}))
+                        .at("alignments")
+                        .at(0);
+  EXPECT_DOUBLE_EQ(told.at("slope_limit"), 1.6);
+  EXPECT_LE(told.at("warp").at("most"), 1.6);
+  EXPECT_GE(told.at("warp").at("least"), 1.0 / 1.6);
+  const auto columns = columns_of(table);
+  for (const double slope : columns.at("differential_warp")) EXPECT_EQ(8.0 * slope, std::round(8.0 * slope));
+  for (const char* wrong : {"0.5", "100", "two"}) {
+    EXPECT_EQ(align({walk, slow, "--slope-limit", wrong}).exit_code, 2) << wrong;
+  }
+  EXPECT_EQ(align({walk, slow, "--resolution", "0"}).exit_code, 2);
+  EXPECT_EQ(align({walk, slow, "--resolution", "2.5"}).exit_code, 2);
+}
+
+TEST_F(Align, FindsAShortClipInsideALongOne) {
+  const std::string walk = clip("walk.bvh", 1.0, 2.5);
+  const Motion whole = read_bvh(walk).motion;
+  const std::string part = write("part.bvh", whole.slice(20, 50));
+  const std::string table = folder_.file("table.csv"), inverse = folder_.file("inverse.csv");
+  const ProgramResult result =
+      align({part, walk, "--ends", "open", "--csv", table, "--inverse-csv", inverse, "--json"});
+  const Json told = json_of(result).at("alignments").at(0);
+  constexpr double kFrame = 1.0 / 30.0;  // ends are free to lose a part of a frame
+  EXPECT_NEAR(told.at("output_begin_s"), 20.0 / 30.0, kFrame);
+  EXPECT_NEAR(told.at("output_end_s"), 50.0 / 30.0, kFrame);
+  const auto there = columns_of(table), back = columns_of(inverse);
+  EXPECT_NEAR(there.at("output_frame")[15], 35.0, 0.5);
+  EXPECT_NEAR(back.at("frame").front(), 20.0, 1.0);
+  EXPECT_NEAR(static_cast<double>(back.at("frame").size()), 30.0, 1.0);
+  for (std::size_t k = 0; k < back.at("frame").size(); ++k) {
+    EXPECT_NEAR(back.at("input_frame")[k], back.at("frame")[k] - 20.0, 1.0);
+  }
+  EXPECT_THAT(align({part, walk, "--ends", "open"}).out, HasSubstr("of the output"));
+  const ProgramResult dtw = align({part, walk, "--ends", "open", "--method", "dtw1"});
+  EXPECT_EQ(dtw.exit_code, 1);
+  EXPECT_THAT(dtw.err, HasSubstr("--ends: expected fixed with --method dtw1"));
 }
 
 TEST_F(Align, DoesNotOverwriteUnasked) {
