@@ -28,9 +28,9 @@ class Legend {
 
 double clip_legend(Svg& svg, const AlignFigure& figure, double top) {
   Legend legend(svg, top + 10.0);
-  legend.add("input: " + shortened(figure.input_name, kLongestName),
+  legend.add("input (above): " + shortened(figure.input_name, kLongestName),
              fmt::format("stroke=\"{}\" stroke-width=\"1.8\"", kInputColor));
-  legend.add("output: " + shortened(figure.output_name, kLongestName),
+  legend.add("output (below): " + shortened(figure.output_name, kLongestName),
              fmt::format("stroke=\"{}\" stroke-width=\"1.8\"", kOutputColor));
   return top + kLegendHeight;
 }

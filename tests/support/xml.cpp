@@ -38,7 +38,7 @@ std::string attributes_error(const std::string& attributes, Ids& ids) {
     place += static_cast<std::size_t>(found->length());
     if (!names.insert((*found)[1]).second) return "attribute " + (*found)[1].str() + " twice";
     const std::string value = (*found)[2];
-    if (const std::string error = text_error(value); !error.empty()) return error;
+    if (std::string error = text_error(value); !error.empty()) return error;
     if ((*found)[1] == "id" && !ids.given.insert(value).second) return "id " + value + " twice";
     std::smatch use;
     if (std::regex_match(value, use, kUse)) ids.used.insert(use[1]);
@@ -57,7 +57,7 @@ std::string xml_error(const std::string& text) {
   while (place < text.size()) {
     const std::size_t begin = text.find('<', place);
     const std::string between = text.substr(place, begin == std::string::npos ? begin : begin - place);
-    if (const std::string error = text_error(between); !error.empty()) return error;
+    if (std::string error = text_error(between); !error.empty()) return error;
     if (open.empty() && between.find_first_not_of(" \n") != std::string::npos) return "text outside: " + between;
     if (begin == std::string::npos) break;
     if (is_over) return "more than one element";
@@ -72,7 +72,7 @@ std::string xml_error(const std::string& text) {
       if (open.empty() || open.back() != name) return "</" + name + "> closes nothing";
       open.pop_back();
     } else {
-      if (const std::string error = attributes_error(tag.substr(name.size()), ids); !error.empty()) return error;
+      if (std::string error = attributes_error(tag.substr(name.size()), ids); !error.empty()) return error;
       if (!is_empty) open.push_back(name);
     }
     is_over = open.empty();
