@@ -22,12 +22,7 @@ using representation::alignment_features;
 using representation::AlignmentPair;
 using representation::StyleUnits;
 
-constexpr double kStill = 1e-9;        // deviations: a signal that spreads less does not move
-constexpr double kMostAtLimit = 0.5;   // share of the frames along the slope limit that a good pair hardly has
-constexpr double kForcedBy = 0.9;      // of the slope limit: lengths that differ so much leave the path no choice
-constexpr double kLongestStall = 0.5;  // [s] a moment that lasts longer in the other clip is none
-constexpr double kWholeCycle = 0.9;    // a clip shorter than this share of a gait cycle is not one
-constexpr int kFewestOnsets = 4;       // to call an alignment worse than none
+constexpr double kStill = 1e-9;  // deviations: a signal that spreads less does not move
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -100,71 +95,6 @@ std::optional<std::vector<motion::Footplant>> plants_of(const AlignClip& clip, c
     return std::nullopt;
   }
   return postprocess::detect_footplants(clip.motion, legs_of(clip.path, clip.motion, feet));
-}
-
-// ---- what to be wary of ---------------------------------------------------------------------------------------------
-
-void warn_of_lengths(Alignment& a) {
-  const double slope = a.even.warp.differential_warp[0];
-  const double ratio = std::max(slope, 1.0 / slope);
-  if (a.settings.time.ends != align::Ends::kFixed || a.slope_limit == 0.0 || ratio < kForcedBy * a.slope_limit ||
-      a.slope_limit == 1.0)
-    return;
-  a.warnings.warn(a.output.path,
-                  fmt::format("one clip lasts {:.2f} times as long as the other: a slope limit of {:g} leaves the warp "
-                              "hardly a choice",
-                              ratio, a.slope_limit),
-                  "raise --slope-limit, or cut the clips to the same content");
-}
-
-void warn_of_limit(Alignment& a) {
-  if (a.slope_limit == 0.0 || a.slope_limit == 1.0) return;
-  const double share = align::share_at_slope_limit(a.smoothed.warp.differential_warp, a.slope_limit);
-  if (share <= kMostAtLimit) return;
-  a.warnings.warn(
-      a.output.path,
-      fmt::format("the warp runs along the slope limit {:g} for {:.0f} % of the frames even after smoothing",
-                  a.slope_limit, 100.0 * share),
-      "the clips may not be of the same content; raise --slope-limit if they are");
-}
-
-void warn_of_stalls(Alignment& a) {
-  if (a.slope_limit > 0.0) return;
-  const Eigen::VectorXd& slope = a.found.warp.differential_warp;
-  const double longest = std::max(slope.maxCoeff(), 1.0 / slope.minCoeff());
-  if (longest < kLongestStall * a.input->motion.frame_rate()) return;
-  a.warnings.warn(a.output.path,
-                  fmt::format("one frame of one clip belongs to {:.0f} frames ({:.2f} s) of the other", longest,
-                              longest / a.input->motion.frame_rate()),
-                  "the clips may not be of the same content; a method with a slope limit does not stand still");
-}
-
-void warn_of_short_clips(Alignment& a) {
-  if (!a.plants.input || !a.plants.output) return;
-  const double in = cycle_length(*a.plants.input), out = cycle_length(*a.plants.output);
-  const auto check = [&](const AlignClip& clip, double cycle) {
-    const double frames = clip.motion.num_frames();
-    if (cycle == 0.0 || frames >= kWholeCycle * cycle) return;
-    a.warnings.warn(clip.path,
-                    fmt::format("is shorter ({:.2f} s) than a gait cycle ({:.2f} s)", frames / clip.motion.frame_rate(),
-                                cycle / clip.motion.frame_rate()),
-                    "its first and last frames decide what belongs together; see that both clips begin at the same "
-                    "moment of the gait");
-  };
-  check(*a.input, in > 0.0 ? in : out);
-  check(a.output, out > 0.0 ? out : in);
-}
-
-void warn_of_footplants(Alignment& a) {
-  if (!a.found.onsets || a.found.onsets->num_pairs < kFewestOnsets) return;
-  const double mean = a.smoothed.onsets->mean, even = a.even.onsets->mean;
-  const double frame_ms = 1e3 / a.input->motion.frame_rate();
-  if (mean <= even + 0.5 || a.even.onsets->num_pairs < a.smoothed.onsets->num_pairs) return;
-  a.warnings.warn(a.output.path,
-                  fmt::format("footplants are {:.0f} ms from where the alignment puts them, and {:.0f} ms if the input "
-                              "is stretched evenly",
-                              mean * frame_ms, even * frame_ms),
-                  "look at --plot before relying on it");
 }
 
 }  // namespace
@@ -244,11 +174,7 @@ Alignment align_clips(const AlignClip& input, AlignClip output, const AlignOptio
   if (!a.answer.is_exact) {
     diagnostics.note(a.output.path, "so long a pair is searched coarse to fine: the warp need not be the best of all");
   }
-  warn_of_lengths(a);
-  warn_of_limit(a);
-  warn_of_stalls(a);
-  warn_of_short_clips(a);
-  warn_of_footplants(a);
+  a.warnings = warnings_of(a);
   diagnostics.append(a.warnings);
   return a;
 }

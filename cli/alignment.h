@@ -81,6 +81,9 @@ align::Correspondence smoothed(const align::Correspondence& warp, double smoothn
 AlignAnswer solve(const Alignment& alignment, const AlignMethod& method);
 JudgedWarp judge(const Alignment& alignment, const align::Correspondence& warp);
 
+/// What is to be doubted of an alignment that was judged; empty if nothing is.
+Diagnostics warnings_of(const Alignment& alignment);
+
 /// The degree of freedom called `name`: its own name or its joint's; then of the joint's the one for which `rank` is
 /// highest. Throws InvalidArgument for `option`, with all names, if there is none.
 int find_dof(const std::string& option, const std::vector<std::string>& names, const std::string& name,

@@ -318,10 +318,22 @@ TEST_F(Align, FindsAShortClipInsideALongOne) {
   for (std::size_t k = 0; k < back.at("frame").size(); ++k) {
     EXPECT_NEAR(back.at("input_frame")[k], back.at("frame")[k] - 20.0, 1.0);
   }
-  EXPECT_THAT(align({part, walk, "--ends", "open"}).out, HasSubstr("of the output"));
+  const ProgramResult told_as_text = align({part, walk, "--ends", "open"});
+  EXPECT_THAT(told_as_text.out, HasSubstr("of the output"));
   const ProgramResult dtw = align({part, walk, "--ends", "open", "--method", "dtw1"});
   EXPECT_EQ(dtw.exit_code, 1);
   EXPECT_THAT(dtw.err, HasSubstr("--ends: expected fixed with --method dtw1"));
+}
+
+TEST_F(Align, WarnsWhereAClipFitsAtSeveralPlaces) {
+  const Motion steps = read_bvh(clip("walk.bvh", 1.0, 2.5)).motion.slice(10, 43);  // one gait cycle
+  std::vector<Pose> twice = steps.frames();
+  twice.insert(twice.end(), steps.frames().begin(), steps.frames().end());
+  const std::string whole = write("twice.bvh", Motion(steps.shared_skeleton(), 30.0, twice));
+  const ProgramResult result = align({write("once.bvh", steps), whole, "--ends", "open"});
+  EXPECT_THAT(result.err, HasSubstr("from 1.10 s on it is nearly as like the input as from 0.00 s on"));
+  const std::string once = write("part.bvh", steps.slice(3, 30));
+  EXPECT_THAT(align({once, folder_.file("once.bvh"), "--ends", "open"}).err, Not(HasSubstr("nearly as like")));
 }
 
 TEST_F(Align, DoesNotOverwriteUnasked) {
