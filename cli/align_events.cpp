@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace strut::cli {
 namespace {
@@ -12,21 +14,24 @@ std::vector<OnsetPair> onsets_of(const std::vector<motion::Footplant>& plants) {
   for (const motion::Footplant& plant : plants) {
     if (plant.begin > 0) onsets.push_back({plant.foot, static_cast<double>(plant.begin), 0.0, 0.0, false});
   }
+  std::sort(onsets.begin(), onsets.end(), [](const OnsetPair& a, const OnsetPair& b) {
+    return std::pair(a.foot, a.input) < std::pair(b.foot, b.input);
+  });
   return onsets;
 }
 
-/// The index of the onset of `foot` whose `place` is nearest to `to`; -1 if there is none.
+/// The index of the onset of `foot` whose `place` is nearest to `to`, the earlier of two; -1 if there is none.
+/// `onsets` are in the order of foot and place.
 template <typename Place>
 int nearest(const std::vector<OnsetPair>& onsets, int foot, double to, Place place) {
-  int best = -1;
-  double least = 0.0;
-  for (std::size_t i = 0; i < onsets.size(); ++i) {
-    const double distance = std::abs(place(onsets[i]) - to);
-    if (onsets[i].foot != foot || (best >= 0 && distance >= least)) continue;
-    best = static_cast<int>(i);
-    least = distance;
-  }
-  return best;
+  const auto after = std::partition_point(onsets.begin(), onsets.end(), [&](const OnsetPair& onset) {
+    return onset.foot < foot || (onset.foot == foot && place(onset) < to);
+  });
+  const bool has_after = after != onsets.end() && after->foot == foot;
+  const bool has_before = after != onsets.begin() && std::prev(after)->foot == foot;
+  if (!has_after && !has_before) return -1;
+  const bool is_before = has_before && (!has_after || to - place(*std::prev(after)) <= place(*after) - to);
+  return static_cast<int>(after - onsets.begin()) - (is_before ? 1 : 0);
 }
 
 double median(std::vector<double> values) {

@@ -42,7 +42,8 @@ struct OnsetErrors {
 
 /// Pairs each onset of the input with the onset of the same foot in the output that is nearest to where `output_time`
 /// [output frames] (input frames) puts it, if it is the nearest to that one too. A footplant under way when its clip
-/// begins has no onset. An alignment that is a step off leaves onsets unpaired at the ends. Cost O(onsets^2).
+/// begins has no onset. An alignment that is a step off leaves onsets unpaired at the ends. Cost O(onsets log
+/// onsets).
 OnsetErrors onset_errors(const std::vector<motion::Footplant>& input, const std::vector<motion::Footplant>& output,
                          const Eigen::VectorXd& output_time);
 
