@@ -47,6 +47,9 @@ InvalidArgument::InvalidArgument(std::string argument, const std::string& expect
                                  std::string hint)
     : Error(argument + ": expected " + expected + ", got " + got, std::move(hint)), argument_(std::move(argument)) {}
 
+InvalidArgument::InvalidArgument(const std::string& where, const InvalidArgument& error)
+    : Error(where + ": " + error.what(), error.hint()), argument_(error.argument_) {}
+
 NumericalError::NumericalError(const std::string& stage, const std::string& quantity, double value, double bound)
     : Error(stage + ": " + quantity + " is " + number(value) + ", beyond its bound of " + number(bound)) {}
 

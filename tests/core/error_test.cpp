@@ -46,6 +46,13 @@ TEST(InvalidArgument, NamesTheArgumentWhatWasExpectedAndWhatCame) {
   EXPECT_EQ(error.hint(), "leave it out for 2");
 }
 
+TEST(InvalidArgument, OfOneOfSeveralNamesItFirst) {
+  const InvalidArgument error("clip 3", InvalidArgument("output", "a frame", "none", "record it again"));
+  EXPECT_STREQ(error.what(), "clip 3: output: expected a frame, got none");
+  EXPECT_EQ(error.argument(), "output");
+  EXPECT_EQ(error.hint(), "record it again");
+}
+
 TEST(NumericalError, GivesValueAndBound) {
   EXPECT_STREQ(NumericalError("n4sid", "the condition number", 1e12, 1e10).what(),
                "n4sid: the condition number is 1e+12, beyond its bound of 1e+10");

@@ -64,6 +64,8 @@ class VersionError : public Error {
 class InvalidArgument : public Error {
  public:
   InvalidArgument(std::string argument, const std::string& expected, const std::string& got, std::string hint = {});
+  /// The same error about one of several: what() begins with `where`, e.g. "clip 3".
+  InvalidArgument(const std::string& where, const InvalidArgument& error);
   [[nodiscard]] const std::string& argument() const noexcept { return argument_; }
 
  private:
