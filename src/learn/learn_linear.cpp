@@ -25,11 +25,9 @@ std::vector<int> kept(const Normalization& scaling, int first, int end) {
   return dofs;
 }
 
-/// What stands in a block until its system is identified.
-sysid::LtiSystem no_system(std::size_t inputs, std::size_t outputs) {
-  const auto m = static_cast<Eigen::Index>(inputs);
-  const auto p = static_cast<Eigen::Index>(outputs);
-  return {{}, Eigen::MatrixXd(0, m), Eigen::MatrixXd(p, 0), Eigen::MatrixXd::Zero(p, m)};
+/// What stands in a block until its system, and with it the number of its inputs, is identified.
+sysid::LtiSystem no_system() {
+  return {{}, Eigen::MatrixXd(0, 1), Eigen::MatrixXd(1, 0), Eigen::MatrixXd::Zero(1, 1)};
 }
 
 /// A block per part of the body, with its own inputs only, its system still to be identified. Parts of which only the
@@ -44,7 +42,7 @@ std::vector<StyleBlock> plan_blocks(const representation::Representation& body, 
     if (from.empty() && !has_context) {
       report.untranslated.push_back(name);
     } else {
-      blocks.push_back({name, from, to, no_system(from.size(), to.size())});
+      blocks.push_back({name, from, to, no_system()});
     }
   };
   plan("root", 0, kNumRootDofs, 0, kNumRootDofs);

@@ -177,6 +177,23 @@ TEST(LinearMethod, SeesTheContextAndComesNearTheTrueStyle) {
   EXPECT_LT(distance_left(*learnt.model, 1.25), 0.35);  // measured 0.15
 }
 
+TEST(LinearMethod, TellsAJointThatOnlyTheOutputMovesFromTheContext) {
+  Clips clips = three_clips();
+  constexpr std::size_t kArm = 6;  // any joint that the walk moves
+  for (Motion& clip : clips.inputs) {
+    std::vector<Pose> frames = clip.frames();
+    for (Pose& pose : frames) pose.rotations[kArm] = Eigen::Quaterniond::Identity();
+    clip = Motion(clip.shared_skeleton(), clip.frame_rate(), std::move(frames));
+  }
+  const LearntStyle learnt = learn_from(clips, {.method = LearnMethod::kLinear, .identification = {.max_order = 2}});
+  const std::string& name = clips.inputs.front().skeleton().joint(kArm).name;
+  const auto& blocks = learnt.model->blocks();
+  const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const StyleBlock& b) { return b.name == name; });
+  ASSERT_NE(block, blocks.end()) << name;
+  EXPECT_GE(*std::min_element(block->input_dofs.begin(), block->input_dofs.end()),
+            learnt.model->input_scaling().num_dofs());
+}
+
 TEST(LinearMethod, IsWhatIsLeftWithoutAContext) {
   const LearntStyle learnt = learn_from(short_clips(), {.context = 0, .identification = {.max_order = 2}});
   EXPECT_FALSE(learnt.model->radial_map());
