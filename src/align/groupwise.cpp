@@ -78,7 +78,7 @@ void make_unbiased(std::vector<Correspondence>& found) {
     mean.differential_warp += clip.differential_warp * (static_cast<double>(m) / clip.differential_warp.sum());
   }
   mean.differential_warp /= static_cast<double>(found.size());
-  const Correspondence retiming = WarpCurve(mean).inverse();
+  const Correspondence retiming = inverse(mean);
   for (Correspondence& clip : found) clip = compose(retiming, clip);
 }
 
@@ -95,8 +95,9 @@ double largest_move(const std::vector<Correspondence>& before, const std::vector
 }  // namespace
 
 Correspondence align_smoothly(const Eigen::Ref<const FrameMatrix>& input, const Eigen::Ref<const FrameMatrix>& output) {
-  return {
-      smooth_differential_warp(iterative_motion_warping(input, output).correspondence.differential_warp, kSmoothness)};
+  Correspondence found = iterative_motion_warping(input, output).correspondence;
+  found.differential_warp = smooth_differential_warp(found.differential_warp, kSmoothness);
+  return found;
 }
 
 std::vector<Correspondence> align_to_reference(const Eigen::Ref<const FrameMatrix>& reference,

@@ -57,13 +57,29 @@ TEST(WarpCurve, HasTheSlopeOfItsValues) {
   }
 }
 
-TEST(WarpCurve, InverseIsTheCorrespondenceOfTheOutput) {
+TEST(WarpCurve, BeginsWhereTheCorrespondenceDoes) {
+  Correspondence inside = wavy(60, 50.0);
+  const WarpCurve from_zero(inside);
+  inside.output_begin = 20.25;
+  inside.output_rest = 9.75;
+  const WarpCurve curve(inside);
+  EXPECT_NEAR(curve.output_frame(30.0), from_zero.output_frame(30.0) + 20.25, kRounding);
+  EXPECT_NEAR(curve.input_frame(curve.output_frame(12.3)), 12.3, kRounding);
+}
+
+TEST(InverseCorrespondence, IsThatOfTheOutput) {
   const Correspondence there = wavy(90, 120.0);
-  const Correspondence back = WarpCurve(there).inverse();
+  const Correspondence back = inverse(there);
   ASSERT_EQ(back.differential_warp.size(), 120);
   EXPECT_NEAR(back.differential_warp.sum(), 90.0, kRounding);
-  const Correspondence again = WarpCurve(back).inverse();
+  const Correspondence again = inverse(back);
   EXPECT_LT((again.output_time() - there.output_time()).cwiseAbs().maxCoeff(), kInterpolation);
+}
+
+TEST(InverseCorrespondence, IsRefusedWhereEndsAreOpen) {
+  Correspondence inside = wavy(60, 50.0);
+  inside.output_rest = 3.0;
+  EXPECT_THROW(inverse(inside), InvalidArgument);
 }
 
 TEST(WarpCurve, RefusesWhatIsNoWarp) {
@@ -74,10 +90,21 @@ TEST(WarpCurve, RefusesWhatIsNoWarp) {
 
 TEST(ComposedCorrespondences, WithTheInverseAreTheIdentity) {
   const Correspondence there = wavy(90, 120.0);
-  const Correspondence round_trip = compose(there, WarpCurve(there).inverse());
+  const Correspondence round_trip = compose(there, inverse(there));
   const Eigen::VectorXd even = Eigen::VectorXd::Ones(90);
   EXPECT_LT((round_trip.differential_warp - even).cwiseAbs().maxCoeff(), 2 * kInterpolation);
   EXPECT_NEAR(round_trip.differential_warp.sum(), 90.0, kRounding);
+}
+
+TEST(ComposedCorrespondences, CarryOpenEndsAlong) {
+  Correspondence inside = wavy(60, 90.0);
+  inside.output_begin = 20.0;
+  inside.output_rest = 10.0;
+  const Correspondence whole = wavy(120, 240.0, 0.0);  // even
+  const Correspondence composed = compose(inside, whole);
+  EXPECT_NEAR(composed.output_begin, 40.0, kRounding);
+  EXPECT_NEAR(composed.output_rest, 20.0, kRounding);
+  EXPECT_NEAR(composed.differential_warp.sum(), 180.0, kRounding);
 }
 
 TEST(ComposedCorrespondences, MustMeet) {

@@ -26,12 +26,13 @@ class WarpCurve {
   /// Output frames per input frame, > 0.
   [[nodiscard]] double slope(double input_frame) const;
 
-  /// The correspondence of every output frame [0, num_output_frames) in the input: the inverse, frame by frame.
-  [[nodiscard]] Correspondence inverse() const;
-
  private:
   math::SmoothCurve passed_;  // output frames passed after a number of input frames
 };
+
+/// The correspondence the other way round: of every output frame, in the input. Throws InvalidArgument as WarpCurve
+/// does, or if the ends are open: what lies outside belongs to nothing. Cost O(frames log frames).
+Correspondence inverse(const Correspondence& correspondence);
 
 /// From `a`'s input by way of `b`'s to `b`'s output: the correspondence of a's input with b's output, where a's output
 /// is b's input. Throws InvalidArgument if their frames differ in number. Cost O(frames log frames).
