@@ -10,6 +10,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <strut/align/iterative_motion_warping.h>
 #include <strut/core/error.h>
@@ -25,6 +26,17 @@ void check_options(const IterativeMotionWarpingOptions& options) {
   if (!(options.tolerance >= 0.0)) {
     throw InvalidArgument("tolerance", "a number that is not negative", std::to_string(options.tolerance));
   }
+}
+
+/// The degrees of freedom that are not zero throughout both signals. The others add nothing to E: a = 1, b = 0 fits.
+std::vector<Eigen::Index> moving_dofs(const Signals& input, const Signals& output) {
+  std::vector<Eigen::Index> moving;
+  const Eigen::RowVectorXd size =
+      input.cwiseAbs().colwise().maxCoeff().cwiseMax(output.cwiseAbs().colwise().maxCoeff());
+  for (Eigen::Index d = 0; d < size.size(); ++d) {
+    if (size[d] > 0.0) moving.push_back(d);
+  }
+  return moving;
 }
 
 /// The two stages in turn.
@@ -91,6 +103,22 @@ class Alternation {
   IterativeMotionWarpingResult result_;
 };
 
+/// With the degrees of freedom that move alone: a body has many that do not.
+IterativeMotionWarpingResult solve(const Signals& input, const Signals& output,
+                                   const IterativeMotionWarpingOptions& options) {
+  const std::vector<Eigen::Index> moving = moving_dofs(input, output);
+  if (static_cast<Eigen::Index>(moving.size()) == input.cols()) return Alternation(input, output, options).solve();
+  IterativeMotionWarpingOptions of_moving = options;
+  if (options.weights.size() != 0) of_moving.weights = options.weights(moving);
+  const FrameMatrix moving_input = input(Eigen::all, moving), moving_output = output(Eigen::all, moving);
+  IterativeMotionWarpingResult result = Alternation(moving_input, moving_output, of_moving).solve();
+  SpaceWarp of_all{FrameMatrix::Ones(input.rows(), input.cols()), FrameMatrix::Zero(input.rows(), input.cols())};
+  of_all.scale(Eigen::all, moving) = result.space_warp.scale;
+  of_all.offset(Eigen::all, moving) = result.space_warp.offset;
+  result.space_warp = std::move(of_all);
+  return result;
+}
+
 }  // namespace
 
 IterativeMotionWarpingResult iterative_motion_warping(const Eigen::Ref<const FrameMatrix>& input,
@@ -98,10 +126,10 @@ IterativeMotionWarpingResult iterative_motion_warping(const Eigen::Ref<const Fra
                                                       const IterativeMotionWarpingOptions& options) {
   detail::check_time_warp(input, output, options);
   check_options(options);
-  Alternation alternation(input, output, options);
   const bool is_determined =
       !detail::is_constant(input, options.weights) && !detail::is_constant(output, options.weights);
-  IterativeMotionWarpingResult result = is_determined ? alternation.solve() : alternation.solve_evenly();
+  IterativeMotionWarpingResult result =
+      is_determined ? solve(input, output, options) : Alternation(input, output, options).solve_evenly();
   result.correspondence = result.time_warp.correspondence();
   return result;
 }

@@ -149,6 +149,25 @@ TEST(IterativeMotionWarping, StandsStillWhereWhatMovesWeighsNothing) {
   EXPECT_FALSE(iterative_motion_warping(input, test::smooth_curves(50, 2, 2), options).is_determined);
 }
 
+TEST(IterativeMotionWarping, LeavesWhatIsZeroThroughoutAsItIs) {
+  const FrameMatrix input = test::smooth_curves(60, 2, 1), output = test::smooth_curves(70, 2, 2);
+  FrameMatrix wide_input = FrameMatrix::Zero(60, 5), wide_output = FrameMatrix::Zero(70, 5);
+  wide_input.col(1) = input.col(0), wide_input.col(4) = input.col(1);
+  wide_output.col(1) = output.col(0), wide_output.col(4) = output.col(1);
+  IterativeMotionWarpingOptions options;
+  options.weights = Eigen::Vector2d(1.0, 3.0);
+  const auto narrow = iterative_motion_warping(input, output, options);
+  options.weights.resize(5);
+  options.weights << 7.0, 1.0, 0.0, 5.0, 3.0;
+  const auto wide = iterative_motion_warping(wide_input, wide_output, options);
+  EXPECT_EQ(wide.time_warp, narrow.time_warp);
+  EXPECT_EQ(wide.objective, narrow.objective);
+  EXPECT_EQ(wide.space_warp.scale.col(4), narrow.space_warp.scale.col(1));
+  EXPECT_EQ(wide.space_warp.offset.col(1), narrow.space_warp.offset.col(0));
+  EXPECT_EQ(wide.space_warp.scale.col(2), Eigen::VectorXd::Ones(60));
+  EXPECT_EQ(wide.space_warp.offset.col(0), Eigen::VectorXd::Zero(60));
+}
+
 TEST(IterativeMotionWarping, OfOneFrameIsDefined) {
   const FrameMatrix one = FrameMatrix::Constant(1, 2, 1.5);
   const auto result = iterative_motion_warping(one, 2.0 * one);
