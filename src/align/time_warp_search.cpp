@@ -28,14 +28,17 @@ constexpr double kTieBreak = 1e-12;
 // A signal is not halved below so many frames: a step that it does not see any more would mislead the search.
 constexpr int kFewestFrames = 32;
 
+// A cell with fewer counts to choose from costs no less.
+constexpr int kFewestChoices = 4;
+
 }  // namespace
 
 void check_time_warp(const Eigen::Ref<const FrameMatrix>& input, const Eigen::Ref<const FrameMatrix>& output,
                      const TimeWarpOptions& options) {
   check_signals(input, output);
   check_weights(options.weights, input.cols());
-  if (options.exact_cells < 1) {
-    throw InvalidArgument("exact_cells", "at least 1", std::to_string(options.exact_cells));
+  if (options.exact_steps < 1) {
+    throw InvalidArgument("exact_steps", "at least 1", std::to_string(options.exact_steps));
   }
   if (options.band_radius < 1) {
     throw InvalidArgument("band_radius", "at least 1", std::to_string(options.band_radius));
@@ -106,7 +109,8 @@ TimeWarpSearch::TimeWarpSearch(int input_frames, const Eigen::Ref<const FrameMat
     : options_(options), counts_(counts_of(options)), origin_(output.colwise().mean()), search_(counts_, options.ends) {
   FrameMatrix coarser = weighted(output, origin_, options.weights);
   add_level(input_frames, coarser);
-  while (num_cells(levels_.back().reach) > options.exact_cells) {
+  const std::int64_t choices = std::max(counts_.most - counts_.least + 1, kFewestChoices);
+  while (num_cells(levels_.back().reach) > options.exact_steps / choices) {
     const int m = (static_cast<int>(levels_.back().reach.size()) - 1) / 2;
     const int n = (levels_.back().distances.num_output_frames() + 1) / 2;
     if (std::min(m, n) < kFewestFrames || !fits(m, n, counts_, options.ends)) break;

@@ -38,7 +38,7 @@ RC_GTEST_PROP(IterativeMotionWarping, NeverRaisesItsObjective, ()) {
   options.slope_limit = *rc::gen::element(1.1, 1.25, 2.0, 2.5, 4.0);
   options.resolution = *rc::gen::element(0, 0, 7, 12);
   options.ends = *rc::gen::element(Ends::kFixed, Ends::kOpenBegin, Ends::kOpenEnd, Ends::kOpen);
-  options.exact_cells = *rc::gen::element(std::int64_t{1}, std::int64_t{1} << 26);
+  options.exact_steps = *rc::gen::element(std::int64_t{1}, std::int64_t{1} << 28);
   options.band_radius = *rc::gen::inRange(1, 10);
   options.tolerance = 0.0;
   options.max_rounds = 30;
@@ -180,7 +180,7 @@ TEST(IterativeMotionWarping, CoarseToFineComesAsFarAsTheExactSearch) {
   const FrameMatrix input = test::smooth_curves(500, 5, 1), output = test::smooth_curves(560, 5, 1).array() * 0.7 + 0.2;
   IterativeMotionWarpingOptions options;
   const auto exact = iterative_motion_warping(input, output, options);
-  options.exact_cells = 3000;
+  options.exact_steps = 12000;
   options.band_radius = 25;
   const auto found = iterative_motion_warping(input, output, options);
   EXPECT_TRUE(exact.time_warp.is_exact);

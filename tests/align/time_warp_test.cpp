@@ -167,7 +167,7 @@ TEST(CoarseToFine, OfSmoothSignalsIsTheBestOfAll) {
     for (const Ends ends : {kFixed, kOpenEnd}) {
       TimeWarpOptions options{.ends = ends};
       const TimeWarp exact = time_warp(pair.input, pair.output, options);
-      options.exact_cells = 5000;
+      options.exact_steps = 20000;
       options.band_radius = 30;
       const TimeWarp found = time_warp(pair.input, pair.output, options);
       EXPECT_TRUE(exact.is_exact);
@@ -189,7 +189,7 @@ RC_GTEST_PROP(CoarseToFine, IsAlwaysAllowedAndNeverBetterThanTheBest, ()) {
   const auto seed = *rc::gen::inRange(0U, 100000U);
   const FrameMatrix input = test::noise(m, 2, seed), output = test::noise(n, 2, seed + 1);
   const TimeWarp exact = time_warp(input, output, options);
-  options.exact_cells = 1;
+  options.exact_steps = 1;
   options.band_radius = *rc::gen::inRange(1, 10);
   const TimeWarp found = time_warp(input, output, options);
   RC_ASSERT(slots_of(found) == n * s);
@@ -304,13 +304,13 @@ TEST(TimeWarp, RefusesOptionsOutOfRange) {
   };
   for (const double limit : {0.0, 0.99, -2.0, 1e9, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THAT(with([&](auto& o) { o.slope_limit = limit; }),
-                testing::StartsWith("slope_limit: expected 1 to 32, got"));
+                testing::StartsWith("slope_limit: expected 1 to 16, got"));
   }
-  for (const int resolution : {-1, 65, 1000000, std::numeric_limits<int>::max()}) {
+  for (const int resolution : {-1, 33, 1000000, std::numeric_limits<int>::max()}) {
     EXPECT_THAT(with([&](auto& o) { o.resolution = resolution; }),
-                testing::StartsWith("resolution: expected 1 to 64, or 0 to have it chosen, got"));
+                testing::StartsWith("resolution: expected 1 to 32, or 0 to have it chosen, got"));
   }
-  EXPECT_EQ(with([](auto& o) { o.exact_cells = 0; }), "exact_cells: expected at least 1, got 0");
+  EXPECT_EQ(with([](auto& o) { o.exact_steps = 0; }), "exact_steps: expected at least 1, got 0");
   EXPECT_EQ(with([](auto& o) { o.band_radius = 0; }), "band_radius: expected at least 1, got 0");
   EXPECT_EQ(with([](auto& o) { o.weights = Eigen::VectorXd::Ones(3); }), "weights: expected 2 numbers or none, got 3");
   EXPECT_EQ(with([](auto& o) { o.weights = -Eigen::VectorXd::Ones(2); }),
@@ -338,9 +338,9 @@ TEST(TimeWarp, RefusesBadSignals) {
 }
 
 TEST(TimeWarp, RefusesMoreSlotsThanCanBeNumbered) {
-  const FrameMatrix long_clip = FrameMatrix::Zero(1000000, 1);
-  EXPECT_THAT(refusal(long_clip, long_clip, {.slope_limit = 32.0, .resolution = 64}).what,
-              testing::HasSubstr("at most 524288 frames of either signal at resolution 64"));
+  const FrameMatrix long_clip = FrameMatrix::Zero(3000000, 1);
+  EXPECT_THAT(refusal(long_clip, long_clip, {.slope_limit = 16.0, .resolution = 32}).what,
+              testing::HasSubstr("at most 2097152 frames of either signal at resolution 32"));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ align::IterativeMotionWarpingOptions options_of(Bytes& bytes, int dofs) {
   if (choice % 16 == 3) options.weights = bytes.signal(1, dofs).row(0);
   options.max_rounds = bytes.small() % 8;
   options.tolerance = 0.0;
-  options.exact_cells = choice % 2 == 0 ? 1 : std::int64_t{1} << 26;
+  options.exact_steps = choice % 2 == 0 ? 1 : std::int64_t{1} << 28;
   options.band_radius = bytes.small() % 16;
   return options;
 }
@@ -94,7 +94,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
       const auto found = align::dynamic_time_warping(
           input, output, constraint,
-          {.weights = options.weights, .exact_cells = options.exact_cells, .band_radius = options.band_radius});
+          {.weights = options.weights, .exact_cells = options.exact_steps, .band_radius = options.band_radius});
       require(found.path.front() == align::FramePair{0, 0} && found.path.back() == align::FramePair{m - 1, n - 1});
     } catch (const InvalidArgument&) {
     }

@@ -41,7 +41,7 @@ struct IterativeMotionWarpingResult {
 /// weighs the same in every degree of freedom. A round that would raise E by rounding is dropped and ends the search.
 /// Throws InvalidArgument as time_warp and space_warp do, and if max_rounds or the tolerance is out of range;
 /// NumericalError if signals far from unit variance leave no digits of E.
-/// Cost: rounds times that of time_warp and space_warp. Memory: that of time_warp, and about 10 m + 2 n frames.
+/// Cost: rounds times that of time_warp and space_warp. Memory: that of time_warp, and about 11 m + 3 n frames.
 IterativeMotionWarpingResult iterative_motion_warping(const Eigen::Ref<const FrameMatrix>& input,
                                                       const Eigen::Ref<const FrameMatrix>& output,
                                                       const IterativeMotionWarpingOptions& options = {});

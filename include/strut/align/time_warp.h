@@ -15,8 +15,8 @@
 namespace strut::align {
 
 /// The largest slope limit and the finest resolution.
-inline constexpr double kLargestSlopeLimit = 32.0;
-inline constexpr int kLargestResolution = 64;
+inline constexpr double kLargestSlopeLimit = 16.0;
+inline constexpr int kLargestResolution = 32;
 
 /// Whether the input must begin where the output begins, and end where it ends.
 enum class Ends {
@@ -32,9 +32,10 @@ struct TimeWarpOptions {
   int resolution = 0;        ///< s: slots an output frame is divided into, at most kLargestResolution; 0: chosen, below
   Ends ends = Ends::kFixed;
   Eigen::VectorXd weights{};  ///< multiplies each degree of freedom's squared distance, >= 0; empty means 1 (dofs)
-  /// The best of all warps is found where no more slots than this are reachable, over all input frames; about a third
-  /// of input frames x slots if L = 2 and the ends are fixed. A longer pair is searched coarse to fine. >= 1.
-  std::int64_t exact_cells = std::int64_t{1} << 26;
+  /// The best of all warps is found where no more steps than this must be tried: slots reachable (about a third of
+  /// input frames x slots if L = 2 and the ends are fixed) times counts to choose from (taken as at least four). A
+  /// longer pair is searched coarse to fine. The default finds the best of 10,000 x 10,000 frames if L = s = 2. >= 1.
+  std::int64_t exact_steps = std::int64_t{1} << 28;
   int band_radius = 64;  ///< how far from the coarser answer a finer one is looked for [output frames], >= 1
 };
 
