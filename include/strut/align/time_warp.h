@@ -71,7 +71,7 @@ struct TimeWarp {
 /// Throws InvalidArgument if a size does not fit, a number is not finite, all weights are zero or one is negative, an
 /// option is out of range, or the lengths are further apart than the limit and the resolution allow.
 /// Cost O(reachable m n (dofs + s^2 L)); memory: the bits of a count (2 in the paper's form with s = 2) per reachable
-/// slot, so 16 MB by default; beyond, coarse to fine, O((m + n) dofs) and the bits of a band: m (2 radius + 1) s.
+/// slot, at most 27 MB by default; beyond, coarse to fine, O((m + n) dofs) and the bits of a band: m (2 radius + 1) s.
 TimeWarp time_warp(const Eigen::Ref<const FrameMatrix>& input, const Eigen::Ref<const FrameMatrix>& output,
                    const TimeWarpOptions& options = {});
 
