@@ -33,8 +33,9 @@ AlignAnswer by_imw(const AlignmentPair& features, const AlignSettings& settings)
 }
 
 AlignAnswer by_dtw(const AlignmentPair& features, const AlignSettings& settings, align::LocalConstraint constraint) {
-  return {
-      align::dynamic_time_warping(features.input, features.output, constraint, settings.time.weights).correspondence};
+  const auto result =
+      align::dynamic_time_warping(features.input, features.output, constraint, {.weights = settings.time.weights});
+  return {result.correspondence, {}, {}, result.is_exact};
 }
 AlignAnswer by_dtw1(const AlignmentPair& features, const AlignSettings& settings) {
   return by_dtw(features, settings, align::LocalConstraint::kTypeI);

@@ -5,10 +5,11 @@
 #include "support/program.h"
 #include "support/xml.h"
 
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
