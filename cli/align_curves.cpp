@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kPanelGap = 20.0, kBandHeight = 84.0, kBandGap = 14.0, kTitleHeight = 18.0, kAxisHeight = 32.0;
 constexpr double kPanelWidth = (kFigureWidth - kFigureLeft - kFigureRight - 2.0 * kPanelGap) / 3.0;
-constexpr int kMostTies = 50;      // more would be a hatching
-constexpr double kHeadroom = 1.1;  // of a band over the curve in it
+constexpr int kMostTies = 50;         // more would be a hatching
+constexpr double kLeastRange = 0.02;  // [the quantity's unit] of a curve that does not move
+constexpr double kHeadroom = 1.1;     // of a band over the curve in it
 
 /// Frames [begin, end) of a clip of `num_frames`, as far as `span` shows them, and one to either side.
 struct Shown {
@@ -33,7 +34,7 @@ class Curves {
         output_shown_(figure.close.output, figure.frame_rate, figure.output_curve.size()) {
     const auto input = figure.input_curve.segment(input_shown_.begin, input_shown_.end - input_shown_.begin);
     const auto output = figure.output_curve.segment(output_shown_.begin, output_shown_.end - output_shown_.begin);
-    const double range = std::max({spread(input), spread(output), 1e-6}) * kHeadroom;
+    const double range = std::max({spread(input), spread(output), kLeastRange}) * kHeadroom;
     input_band_ = band(input, top_, range);
     output_band_ = band(output, top_ + kBandHeight + kBandGap, range);
     seconds_ = std::max({figure.close.input.length(), figure.close.output.length(), 1e-3});
@@ -112,7 +113,7 @@ class Curves {
          one_axis ? "time [s]" : fmt::format("output's time [s]; the input's from {:.3g} s", x.low));
     svg_.axis_left(input_band_, left, "", 4);
     svg_.axis_left(output_band_, left, "", 4);
-    svg_.text_upwards({left - 38.0, 0.5 * (top_ + bottom())}, figure_.quantity);
+    svg_.text_upwards({left - 42.0, 0.5 * (top_ + bottom())}, figure_.quantity);
     const auto own = [](Eigen::Index t) { return static_cast<double>(t); };
     clipped(left, [&] {
       ties(x, own, output_x, figure_.chosen.output_time);

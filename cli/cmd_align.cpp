@@ -9,6 +9,7 @@
 #include "terminal.h"
 #include "usage.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -131,6 +132,17 @@ Span parse_window(const std::string& word) {
   return span;
 }
 
+/// A name that promises another kind of picture would disappoint.
+CLI::Validator draws_svg() {
+  return {[](std::string& path) {
+            const std::string ending = CLI::detail::to_lower(std::filesystem::path(path).extension().string());
+            const std::vector<std::string> others{".png", ".pdf", ".eps", ".ps", ".jpg", ".jpeg", ".tif", ".tiff"};
+            const bool is_other = std::find(others.begin(), others.end(), ending) != others.end();
+            return is_other ? "expected a name in .svg, which is what is drawn, got '" + path + "'" : std::string();
+          },
+          ""};
+}
+
 void add_method_options(CLI::App& command, AlignOptions& options) {
   const MethodWords methods;
   command
@@ -201,6 +213,7 @@ void add_result_options(CLI::App& command, AlignOptions& options) {
               "--plot", options.plot,
               "Draw an SVG: curves before and after, the distances of all frames with the path, the warp and its "
               "slope, the footplants of both clips; for several outputs into this folder (default: none)")
+          ->check(draws_svg())
           ->type_name("FILE");
   command.add_option("--figure", options.figure, "What of it is drawn (default: all)")
       ->transform(one_of({{"all", static_cast<int>(FigurePart::kAll)},

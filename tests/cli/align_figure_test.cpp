@@ -166,6 +166,20 @@ TEST_F(AlignFigure, LeavesFootplantsOutWhereThereAreNoLegs) {
   EXPECT_FALSE(has(svg, "Line: where"));
 }
 
+TEST_F(AlignFigure, DrawsADegreeOfFreedomThatDoesNotMove) {
+  const std::string walk = clip("walk.bvh", 1.0);
+  const std::string svg = figure(walk, walk, {"--dof", "LeftHand z"});
+  EXPECT_EQ(xml_error(svg), "");
+  EXPECT_FALSE(has(svg, "e-0"));  // no ticks between roundings
+}
+
+TEST_F(AlignFigure, IsNotWrittenUnderAnotherPicturesName) {
+  const std::string walk = clip("walk.bvh", 1.0);
+  const ProgramResult result = align({walk, walk, "--plot", folder_.file("plot.PNG")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--plot: expected a name in .svg"));
+}
+
 TEST_F(AlignFigure, DrawsTwoFrames) {
   const std::string two = beginning("two.bvh", clip("walk.bvh", 1.0), 2);
   const std::string svg = figure(two, two);
