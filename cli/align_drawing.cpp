@@ -61,14 +61,12 @@ void add_curves(AlignFigure& figure, const Alignment& a, const std::string& want
                     output = representation::encode(shared, a.output.motion);
   const Eigen::RowVectorXd mean = input.colwise().mean();
   const Eigen::VectorXd movement = (input.rowwise() - mean).colwise().squaredNorm().transpose();
-  std::vector<std::string> names;
-  for (int dof = 0; dof < shared.num_dofs(); ++dof) names.push_back(shared.dof_name(dof));
   Eigen::Index most = 0;
   movement.tail(movement.size() - representation::kNumRootDofs).maxCoeff(&most);
   const int dof = wanted.empty() ? static_cast<int>(most) + representation::kNumRootDofs
-                                 : find_dof("--dof", names, wanted, movement);
+                                 : find_dof("--dof", shared, wanted, movement);
   const double scale = is_angle(dof) ? kTurn : 1.0;
-  figure.quantity = fmt::format("{} [{}]", shortened(names[static_cast<std::size_t>(dof)], 32), unit(dof));
+  figure.quantity = fmt::format("{} [{}]", shortened(shared.dof_name(dof), 32), unit(dof));
   figure.input_curve = scale * input.col(dof);
   figure.output_curve = scale * output.col(dof);
 }

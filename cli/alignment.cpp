@@ -22,7 +22,8 @@ using representation::alignment_features;
 using representation::AlignmentPair;
 using representation::StyleUnits;
 
-constexpr double kStill = 1e-9;  // deviations: a signal that spreads less does not move
+constexpr const char* kRoot = "root";  // how the root's degrees of freedom begin
+constexpr double kStill = 1e-9;        // deviations: a signal that spreads less does not move
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -48,13 +49,6 @@ void check_movement(const AlignClip& input, const AlignClip& output, const Align
                  "leave out --weight, or compare postures as they are with --shared-units");
 }
 
-std::vector<std::string> compared_names(const Motion& motion) {
-  const auto shape = representation::fit_representation({motion}, motion::upright_reference(motion));
-  std::vector<std::string> names;
-  for (int dof = representation::kHeight; dof < shape.num_dofs(); ++dof) names.push_back(shape.dof_name(dof));
-  return names;
-}
-
 /// NAME=X to its parts. Throws InvalidArgument.
 std::pair<std::string, double> parse_weight(const std::string& word) {
   const auto equals = word.rfind('=');
@@ -69,19 +63,39 @@ std::pair<std::string, double> parse_weight(const std::string& word) {
   return {word.substr(0, equals), weight};
 }
 
+/// Whether `dof` is one of `joint`, both in lower case. The degrees of freedom of the root have names of their own.
+bool is_of(const std::string& dof, const std::string& joint) {
+  return joint == kRoot ? dof.starts_with(joint + " ") : dof.substr(0, dof.find_last_of(' ')) == joint;
+}
+
+/// `name` in lower case; kRoot for a joint whose movement the root's degrees of freedom are.
+std::string wanted_name(const representation::Representation& shape, const std::string& name) {
+  const std::string wanted = lower(name);
+  const auto& below = shape.joints();
+  for (int joint = 0; joint < shape.skeleton().num_joints(); ++joint) {
+    const bool is_root = std::find(below.begin(), below.end(), joint) == below.end();
+    if (is_root && lower(shape.skeleton().joint(joint).name) == wanted) return kRoot;
+  }
+  return wanted;
+}
+
 /// What every degree of freedom weighs; empty if nothing was said. A joint's name stands for all of its own.
 Eigen::VectorXd weights_of(const Motion& motion, const std::vector<std::string>& words) {
   if (words.empty()) return {};
-  const std::vector<std::string> names = compared_names(motion);
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(names.size()));
+  const auto shape = representation::fit_representation({motion}, motion::upright_reference(motion));
+  const int num_compared = shape.num_dofs() - representation::kHeight;
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_compared);
   for (const std::string& word : words) {
     const auto [name, weight] = parse_weight(word);
-    const std::string wanted = lower(name);
-    find_dof("--weight", names, name, Eigen::VectorXd::Zero(weights.size()));
-    for (std::size_t dof = 0; dof < names.size(); ++dof) {
-      const std::string here = lower(names[dof]);
-      const std::string joint = here.substr(0, here.find_last_of(' '));
-      if (here == wanted || joint == wanted) weights[static_cast<Eigen::Index>(dof)] = weight;
+    const std::string wanted = wanted_name(shape, name);
+    if (find_dof("--weight", shape, name, Eigen::VectorXd::LinSpaced(shape.num_dofs(), 0.0, 1.0)) <
+        representation::kHeight) {
+      throw InvalidArgument("--weight", "a degree of freedom of the posture", "'" + name + "'",
+                            "travel is not compared");
+    }
+    for (int k = 0; k < num_compared; ++k) {
+      const std::string dof = lower(shape.dof_name(k + representation::kHeight));
+      if (dof == wanted || is_of(dof, wanted)) weights[k] = weight;
     }
   }
   if (!(weights.maxCoeff() > 0.0)) throw InvalidArgument("--weight", "a weight above 0", "nothing but 0");
@@ -99,16 +113,16 @@ std::optional<std::vector<motion::Footplant>> plants_of(const AlignClip& clip, c
 
 }  // namespace
 
-int find_dof(const std::string& option, const std::vector<std::string>& names, const std::string& name,
+int find_dof(const std::string& option, const representation::Representation& shape, const std::string& name,
              const Eigen::VectorXd& rank) {
-  const std::string wanted = lower(name);
+  const std::string wanted = wanted_name(shape, name);
   int found = -1;
   std::string all;
-  for (int dof = 0; dof < static_cast<int>(names.size()); ++dof) {
-    const std::string& here = names[static_cast<std::size_t>(dof)];
-    all += (dof == 0 ? "" : ", ") + here;
-    if (lower(here) == wanted) return dof;
-    if (lower(here.substr(0, here.find_last_of(' '))) == wanted && (found < 0 || rank[dof] > rank[found])) found = dof;
+  for (int dof = 0; dof < shape.num_dofs(); ++dof) {
+    const std::string here = lower(shape.dof_name(dof));
+    all += (dof == 0 ? "" : ", ") + shape.dof_name(dof);
+    if (here == wanted) return dof;
+    if (is_of(here, wanted) && (found < 0 || rank[dof] > rank[found])) found = dof;
   }
   if (found >= 0) return found;
   throw InvalidArgument(option, "one of the clips' degrees of freedom or joints", "'" + name + "'", "they are: " + all);

@@ -16,6 +16,7 @@
 #include <strut/core/diagnostics.h>
 #include <strut/motion/motion.h>
 #include <strut/representation/alignment_features.h>
+#include <strut/representation/representation.h>
 
 namespace strut::cli {
 
@@ -84,9 +85,9 @@ JudgedWarp judge(const Alignment& alignment, const align::Correspondence& warp);
 /// What is to be doubted of an alignment that was judged; empty if nothing is.
 Diagnostics warnings_of(const Alignment& alignment);
 
-/// The degree of freedom called `name`: its own name or its joint's; then of the joint's the one for which `rank` is
-/// highest. Throws InvalidArgument for `option`, with all names, if there is none.
-int find_dof(const std::string& option, const std::vector<std::string>& names, const std::string& name,
+/// The degree of freedom called `name`: its own name or its joint's; then of the joint's the one for which `rank`
+/// (dofs) is highest. Throws InvalidArgument for `option`, with all names, if there is none.
+int find_dof(const std::string& option, const representation::Representation& shape, const std::string& name,
              const Eigen::VectorXd& rank);
 
 }  // namespace strut::cli

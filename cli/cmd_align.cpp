@@ -25,6 +25,8 @@
 namespace strut::cli {
 namespace {
 
+constexpr double kStiffest = 1e12;  // far beyond rigid, and squares of it are still numbers
+
 // ---- where results go -----------------------------------------------------------------------------------------------
 
 /// A file to write for every output clip.
@@ -174,7 +176,7 @@ void add_method_options(CLI::App& command, AlignOptions& options) {
   command
       .add_option("--smoothness", options.settings.smoothness,
                   "Stiffness of imw's spatial warp, for signals of unit variance (default: 100)")
-      ->check(not_negative().description(""))
+      ->check(number_in(0, kStiffest).description(""))
       ->type_name("X");
   command.add_option("--rounds", options.settings.rounds, "At most this many rounds of imw (default: 10)")
       ->check(number_in(1, 1000).description(""))
@@ -183,7 +185,7 @@ void add_method_options(CLI::App& command, AlignOptions& options) {
       .add_option("--warp-smoothness", options.warp_smoothness,
                   "Smoothing of the differential warp in the last column of the table [frames^2]; 0: none "
                   "(default: 10)")
-      ->check(not_negative().description(""))
+      ->check(number_in(0, kStiffest).description(""))
       ->type_name("X");
   command.add_flag("--shared-units", options.shared_units,
                    "Compare postures as they are, about one mean and in one unit for both clips (default: each clip "

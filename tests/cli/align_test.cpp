@@ -222,6 +222,9 @@ TEST_F(Align, WeighsJoints) {
   const Json less = json_of(align({walk, slow, "--json", "--weight", "leftleg=0", "--weight", "RightLeg x=0"}));
   EXPECT_LT(less.at("alignments").at(0).at("degrees_of_freedom"), plain.at("degrees_of_freedom"));
   EXPECT_LT(less.at("alignments").at(0).at("objective").at(0), plain.at("objective").at(0));
+  const Json rootless = json_of(align({walk, slow, "--json", "--weight", "hips=0"})).at("alignments").at(0);
+  EXPECT_LT(rootless.at("degrees_of_freedom"), plain.at("degrees_of_freedom"));
+  EXPECT_THAT(align({walk, slow, "--weight", "root forward velocity=1"}).err, HasSubstr("travel is not compared"));
   EXPECT_THAT(align({walk, slow, "--weight", "tail=1"}).err, testing::AllOf(HasSubstr("'tail'"), HasSubstr("Spine x")));
   for (const char* wrong : {"LeftLeg", "=1", "LeftLeg=", "LeftLeg=-1", "LeftLeg=nan", "LeftLeg=inf"}) {
     const ProgramResult result = align({walk, slow, "--weight", wrong});
@@ -295,6 +298,10 @@ TEST_F(Align, TakesAnySlopeLimitAndResolution) {
   for (const double slope : columns.at("differential_warp")) EXPECT_EQ(8.0 * slope, std::round(8.0 * slope));
   for (const char* wrong : {"0.5", "100", "two"}) {
     EXPECT_EQ(align({walk, slow, "--slope-limit", wrong}).exit_code, 2) << wrong;
+  }
+  for (const char* option : {"--warp-smoothness", "--smoothness"}) {
+    EXPECT_EQ(align({walk, slow, option, "1e300"}).exit_code, 2) << option;
+    EXPECT_EQ(align({walk, slow, option, "1e12"}).exit_code, 0) << option;
   }
   EXPECT_EQ(align({walk, slow, "--resolution", "0"}).exit_code, 2);
   EXPECT_EQ(align({walk, slow, "--resolution", "2.5"}).exit_code, 2);
