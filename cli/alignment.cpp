@@ -70,7 +70,7 @@ bool is_of(const std::string& dof, const std::string& joint) {
 
 /// `name` in lower case; kRoot for a joint whose movement the root's degrees of freedom are.
 std::string wanted_name(const representation::Representation& shape, const std::string& name) {
-  const std::string wanted = lower(name);
+  std::string wanted = lower(name);
   const auto& below = shape.joints();
   for (int joint = 0; joint < shape.skeleton().num_joints(); ++joint) {
     const bool is_root = std::find(below.begin(), below.end(), joint) == below.end();
