@@ -51,7 +51,10 @@ std::string method_name(LearnMethod method) {
 }
 
 json describe_options(const LearnOptions& options) {
-  return {{"scale_smoothness", options.alignment.space.scale_smoothness},
+  const bool is_continuous =
+      options.alignment_method == AlignmentMethod::kContinuous && options.method != LearnMethod::kPaper;
+  return {{"alignment", is_continuous ? "continuous" : "iterative"},
+          {"scale_smoothness", options.alignment.space.scale_smoothness},
           {"offset_smoothness", options.alignment.space.offset_smoothness},
           {"time_warp_smoothing", options.time_warp_smoothing ? json(*options.time_warp_smoothing) : json("chosen")},
           {"lead_in", options.lead_in},
@@ -154,8 +157,19 @@ void add_learn(CLI::App& app) {
   command->add_option("--ridge", options.identification.ridge, "Shrinkage of the matrices B and D, 0 for none")
       ->check(number_in(0.0, 10.0))
       ->capture_default_str();
+  CLI::Option* alignment =
+      command
+          ->add_option("--alignment", options.alignment_method,
+                       "How moments are matched: continuous, or iterative as in the paper (default continuous; "
+                       "--method paper: iterative)")
+          ->transform(one_of({{"continuous", static_cast<int>(AlignmentMethod::kContinuous)},
+                              {"iterative", static_cast<int>(AlignmentMethod::kIterative)}})
+                          .description(""))
+          ->type_name("continuous|iterative");
   command
-      ->add_option("--smoothness", options.alignment.space.scale_smoothness, "Weight of smoothness in the space warp")
+      ->add_option("--smoothness", options.alignment.space.scale_smoothness,
+                   "Weight of smoothness in the space warp, with --alignment iterative")
+      ->needs(alignment)
       ->check(not_negative())
       ->capture_default_str();
   command

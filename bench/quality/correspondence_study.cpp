@@ -1,261 +1,276 @@
 // SPDX-License-Identifier: MIT
-// How well do iterative motion warping, its time-warp stage alone, and dynamic time warping find a correspondence that
-// is known exactly? Walks of one content in two styles, made by generate/walker.h; prints the tables of
-// docs/correspondence.md. With two file names it also writes a pair of these walks, from which `strut align` draws that
-// page's figure:  correspondence_study [input.bvh output.bvh]
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <exception>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
+// How well do iterative motion warping, its time-warp stage alone, dynamic time warping and the continuous warp find
+// which moments belong together? Makes docs/correspondence.md from the text in correspondence_page.md:
+//   correspondence_study CLIPS TEXT PAGE           as `./dev correspondence` calls it
+//   correspondence_study --walks INPUT OUTPUT      a pair of generated walks, for the page's figure
+#include "correspondence_clips.h"
+#include "correspondence_page.h"
+#include "correspondence_walks.h"
 
-#include <strut/align/dynamic_time_warping.h>
-#include <strut/align/iterative_motion_warping.h>
-#include <strut/align/time_warp.h>
-#include <strut/generate/walker.h>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
 #include <strut/io/bvh.h>
-#include <strut/representation/alignment_features.h>
 
 namespace {
 
 using namespace strut;
-using generate::WalkContent;
-using generate::WalkStyle;
+using namespace strut::study;
 
-constexpr double kRate = 30.0;
-constexpr int kSeeds = 5;
-constexpr int kSlopeLimit = 2;
-constexpr double kVariation = 2.5;    // of steps: about 5 % of length and time, in each motion by itself
-constexpr double kSmoothness = 10.0;  // of the differential warp, as learning smooths it [frames^2]
+constexpr double kNoise = 0.01;  // [rad], over half a degree in every joint and frame
+const std::vector<std::string> kStyles = {"elderly", "active", "feminine"};
+const std::vector<std::string> kContents = {"walk", "walk-turn-left", "walk-turn-right", "run"};
+using Features = representation::FeatureShares;
 
-// ---- what is walked -------------------------------------------------------------------------------------------------
-
-struct NamedStyle {
-  const char* name;
-  WalkStyle style;
-};
-
-std::vector<NamedStyle> styles() {
-  WalkStyle crouch;
-  crouch.crouch = 0.25;
-  crouch.cadence_scale = 0.8;
-  crouch.torso_lean = 0.5;
-  crouch.arm_swing = 0.1;
-  crouch.elbow_bend = 1.0;
-  WalkStyle limp;
-  limp.limp = 1.0;
-  limp.cadence_scale = 0.85;
-  limp.step_length_scale = 0.8;
-  WalkStyle march;
-  march.foot_lift = 0.25;
-  march.arm_swing = 0.9;
-  march.cadence_scale = 1.1;
-  march.heel_strike = 0.0;
-  WalkStyle old;
-  old.step_length_scale = 0.55;
-  old.cadence_scale = 0.75;
-  old.torso_lean = 0.35;
-  old.arm_swing = 0.12;
-  old.elbow_bend = 0.7;
-  old.push_off = 0.45;
-  WalkStyle swagger;
-  swagger.hip_sway = 2.2;
-  swagger.hip_twist = 2.0;
-  swagger.arm_spread = 0.35;
-  swagger.arm_swing = 0.6;
-  swagger.cadence_scale = 0.9;
-  swagger.bounce = 1.6;
-  WalkStyle hurry;
-  hurry.cadence_scale = 1.5;
-  hurry.torso_lean = 0.2;
-  hurry.elbow_bend = 1.4;
-  hurry.arm_swing = 0.7;
-  return {{"crouch", crouch}, {"limp", limp}, {"march", march}, {"old", old}, {"swagger", swagger}, {"hurry", hurry}};
+Method continuous(const std::string& name, const Features& features = {}) {
+  return {name, Solver::kContinuous, features};
 }
 
-/// Straight at two speeds, a turn, and a change of pace with the path bending after it.
-std::vector<WalkContent> contents() {
-  using generate::Schedule;
-  WalkContent steady, slow, turn, pace;
-  for (WalkContent* content : {&steady, &slow, &turn, &pace}) content->duration = 4.0;
-  slow.speed = 0.8;
-  turn.turn_rate = 0.6;
-  pace.speed = Schedule({{0.0, 0.8}, {1.5, 0.8}, {2.5, 1.6}});
-  pace.turn_rate = Schedule({{2.0, 0.0}, {3.0, -0.5}});
-  return {steady, slow, turn, pace};
+/// With the paper's slope limit.
+Method limited(const std::string& name, const Features& features = {}) {
+  Method method = continuous(name, features);
+  method.slope_limit = 2.0;
+  return method;
 }
 
-struct Pair {
-  const char* style;
-  generate::Walk input, output;
-};
-
-std::vector<Pair> pairs() {
-  std::vector<Pair> all;
-  std::uint64_t seed = 1;
-  for (const auto& [name, style] : styles()) {
-    for (const WalkContent& content : contents()) {
-      for (int k = 0; k < kSeeds; ++k) {
-        WalkStyle plain, styled = style;
-        plain.seed = seed++;
-        styled.seed = seed++;
-        plain.variation = styled.variation = kVariation;
-        all.push_back({name, generate::generate_walk(content, plain, kRate), generate_walk(content, styled, kRate)});
-      }
-    }
-  }
+/// The paper's methods by posture, by all signals, and the continuous warp by both.
+std::vector<Method> main_methods() {
+  std::vector<Method> all = papers_methods(kPosture, ", posture");
+  Method smoothed = all.front();
+  smoothed.name += ", smoothed";
+  smoothed.is_smoothed = true;
+  all.push_back(smoothed);
+  all.push_back(continuous("continuous warp, posture", kPosture));
+  for (const Method& method : papers_methods(Features{}, ", all signals")) all.push_back(method);
+  all.push_back(limited("continuous warp, all signals, slope limit 2"));
+  all.push_back(continuous("**continuous warp, all signals**"));
   return all;
 }
 
-// ---- how it is aligned ----------------------------------------------------------------------------------------------
-
-using Signals = representation::AlignmentPair;
-using Warp = Eigen::VectorXd;
-
-Warp imw(const Signals& s) {
-  return align::iterative_motion_warping(s.input, s.output).correspondence.differential_warp;
-}
-Warp time_warp(const Signals& s) {
-  return align::time_warp(s.input, s.output, {.slope_limit = kSlopeLimit}).correspondence().differential_warp;
-}
-Warp dtw(const Signals& s, align::LocalConstraint constraint) {
-  return align::dynamic_time_warping(s.input, s.output, constraint).correspondence.differential_warp;
-}
-Warp uniform(const Signals& s) {
-  return Warp::Constant(s.input.rows(), static_cast<double>(s.output.rows()) / static_cast<double>(s.input.rows()));
-}
-Warp smoothed(const Warp& warp) {
-  return align::smooth_differential_warp(warp, kSmoothness);
+Method uniform() {
+  return {"no alignment: even", Solver::kUniform, kPosture};
 }
 
-struct Method {
-  const char* name;
-  std::function<Warp(const Signals&)> solve;
-};
+std::vector<std::string> full_row(const std::string& name, const Figures& f) {
+  return {name,
+          number(f.mean()),
+          number(f.quantile(0.5)),
+          number(f.quantile(0.95)),
+          number(f.roughness(), 3),
+          percent(f.share_at_limit())};
+}
 
-const std::vector<Method>& methods() {
-  using align::LocalConstraint;
-  static const std::vector<Method> all{
-      {"IMW", imw},
-      {"time-warp stage alone", time_warp},
-      {"DTW, Type I", [](const Signals& s) { return dtw(s, LocalConstraint::kTypeI); }},
-      {"DTW, Type III", [](const Signals& s) { return dtw(s, LocalConstraint::kTypeIII); }},
-      {"IMW, smoothed", [](const Signals& s) { return smoothed(imw(s)); }},
-      {"time-warp stage alone, smoothed", [](const Signals& s) { return smoothed(time_warp(s)); }},
-      {"DTW, Type I, smoothed", [](const Signals& s) { return smoothed(dtw(s, LocalConstraint::kTypeI)); }},
-      {"DTW, Type III, smoothed", [](const Signals& s) { return smoothed(dtw(s, LocalConstraint::kTypeIII)); }},
-      {"no alignment: uniform", uniform},
+// ---- generated walks ------------------------------------------------------------------------------------------------
+
+std::string walk_table(const std::vector<WalkPair>& pairs, const std::vector<Method>& methods) {
+  Table table({"method", "mean", "median", "95th percentile", "roughness", "at the limit"});
+  for (const Method& method : methods) table.add(full_row(method.name, judge(method, pairs).back()));
+  const Figures truth = true_figures(pairs);
+  table.add({"the truth", "", "", "", number(truth.roughness(), 3), percent(truth.share_at_limit())});
+  return table.markdown();
+}
+
+std::string style_table(const std::vector<WalkPair>& pairs, const std::vector<Method>& methods) {
+  std::vector<std::string> head{"method"};
+  for (const std::string& style : walk_styles()) head.push_back(style);
+  Table table(head);
+  for (const Method& method : methods) {
+    std::vector<std::string> row{method.name};
+    const std::vector<Figures> figures = judge(method, pairs);
+    for (std::size_t k = 0; k + 1 < figures.size(); ++k) row.push_back(number(figures[k].mean()));
+    table.add(row);
+  }
+  return table.markdown();
+}
+
+std::string single_dof_table(const std::vector<WalkPair>& clean, const std::vector<WalkPair>& noisy) {
+  Table table({"method", "mean", "median", "95th percentile", "roughness", "at the limit", "mean, with noise"});
+  std::vector<Method> methods = papers_methods(kPosture);
+  methods.push_back(continuous("continuous warp", kPosture));
+  methods.push_back(continuous("**continuous warp, with its movement**", {1.0, 0.5, 0.0}));
+  methods.push_back(uniform());
+  for (const Method& method : methods) {
+    std::vector<std::string> row = full_row(method.name, judge_single_dofs(method, clean));
+    row.push_back(number(judge_single_dofs(method, noisy).mean()));
+    table.add(row);
+  }
+  return table.markdown();
+}
+
+// ---- real clips -----------------------------------------------------------------------------------------------------
+
+/// Mean errors of landings and lift-offs, by style.
+std::string clip_table(const std::vector<Cell>& cells, EventKind kind, const std::vector<Method>& methods) {
+  std::vector<std::string> head{"method"};
+  for (const Cell& cell : cells) head.push_back(cell.style + ": mean");
+  for (const char* name : {"median", "95th percentile", "roughness", "at the limit"}) head.emplace_back(name);
+  Table table(head);
+  std::vector<std::vector<ClipFigures>> figures;
+  for (const Cell& cell : cells) figures.push_back(judge(cell, kind, methods));
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    std::vector<std::string> row{methods[m].name};
+    Figures all;
+    for (const auto& of_cell : figures) {
+      const ClipFigures& f = of_cell[m];
+      row.push_back(number(f.all.mean()) + " (" + number(f.landings.mean()) + ", " + number(f.leavings.mean()) + ")");
+      all.add(f.all);
+    }
+    for (const std::string& value : {number(all.quantile(0.5)), number(all.quantile(0.95)), number(all.roughness(), 3),
+                                     percent(all.share_at_limit())}) {
+      row.push_back(value);
+    }
+    table.add(row);
+  }
+  for (const double limit : {2.0, 3.0}) {
+    std::vector<std::string> row{"least that a slope limit of " + number(limit, 0) + " allows"};
+    for (const Cell& cell : cells) {
+      row.push_back(number(least_mean_error(cell, kind, limit, false)) + " (" +
+                    number(least_mean_error(cell, kind, limit, true)) + ", -)");
+    }
+    row.resize(head.size());
+    table.add(row);
+  }
+  return table.markdown();
+}
+
+std::vector<Cell> cells_of(const std::string& folder, const std::string& content, Takes takes) {
+  std::vector<Cell> cells;
+  for (const std::string& style : kStyles) cells.push_back(read_cell(folder, content, style, takes));
+  return cells;
+}
+
+std::string content_table(const std::string& folder, Takes takes) {
+  std::vector<Method> methods = papers_methods(kPosture, ", posture");
+  methods.push_back({"DTW, Type I, all signals", Solver::kDtw1, Features{}});
+  methods.push_back({"DTW, Type III, all signals", Solver::kDtw3, Features{}});
+  methods.push_back({"IMW, all signals", Solver::kIterative, Features{}});
+  methods.push_back(limited("continuous warp, limit 2"));
+  methods.push_back(continuous("**continuous warp**"));
+  std::vector<std::string> head{"clips"};
+  for (const Method& method : methods) head.push_back(method.name);
+  head.emplace_back("least, limit 3");
+  Table table(head);
+  for (const std::string& content : kContents) {
+    for (const Cell& cell : cells_of(folder, content, takes)) {
+      std::vector<std::string> row{content + " " + cell.style};
+      for (const ClipFigures& f : judge(cell, EventKind::kThresholds, methods)) row.push_back(number(f.all.mean()));
+      row.push_back(number(least_mean_error(cell, EventKind::kThresholds, 3.0, false)));
+      table.add(row);
+    }
+  }
+  return table.markdown();
+}
+
+// ---- what each ingredient brings ------------------------------------------------------------------------------------
+
+std::vector<Method> ingredients() {
+  std::vector<Method> all{{"IMW by posture (the paper)", Solver::kIterative, kPosture},
+                          {"the same, smoothed over 0.1 s", Solver::kIterative, kPosture, true},
+                          continuous("continuous warp by posture", kPosture),
+                          continuous("and movement", {1.0, 0.5, 0.0}),
+                          continuous("**and feet: the default**"),
+                          continuous("posture and feet", {1.0, 0.0, 4.0}),
+                          continuous("feet counting 1", {1.0, 0.5, 1.0}),
+                          continuous("feet counting 16", {1.0, 0.5, 16.0})};
+  const auto changed = [&all](const char* name, double limit, double slope, double space) {
+    all.push_back({name, Solver::kContinuous, {}, false, limit, slope, space});
   };
+  changed("slope limit 2", 2.0, -1, -1);
+  changed("slope limit 4", 4.0, -1, -1);
+  changed("slopes 3 times as stiff", 3.0, 0.009, -1);
+  changed("slopes a third as stiff", 3.0, 0.001, -1);
+  changed("space warp 3 times as stiff", 3.0, -1, 1.5);
+  changed("space warp a third as stiff", 3.0, -1, 0.167);
+  changed("as `strut learn` has it: limit 2, both stiffer", 2.0, 0.006, 1.0);
   return all;
 }
 
-// ---- what comes out -------------------------------------------------------------------------------------------------
-
-struct Figures {
-  std::vector<double> errors;  ///< of every frame [frames]
-  double squared_steps = 0.0;  ///< summed squared change of the differential warp from frame to frame
-  double at_limit = 0.0;       ///< frames
-  void add(const Warp& warp, const std::vector<double>& truth) {
-    const Eigen::VectorXd time = align::Correspondence{warp}.output_time();
-    for (Eigen::Index t = 0; t < time.size(); ++t) {
-      errors.push_back(std::abs(time[t] - truth[static_cast<std::size_t>(t)]));
+std::string ingredient_table(const std::vector<Cell>& cells, const std::vector<WalkPair>& clean,
+                             const std::vector<WalkPair>& noisy) {
+  std::vector<std::string> head{"method"};
+  for (const Cell& cell : cells) head.push_back(cell.style);
+  for (const char* name : {"at the limit", "generated", "generated, noise"}) head.emplace_back(name);
+  Table table(head);
+  const std::vector<Method> methods = ingredients();
+  std::vector<std::vector<ClipFigures>> figures;
+  for (const Cell& cell : cells) figures.push_back(judge(cell, EventKind::kThresholds, methods));
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    std::vector<std::string> row{methods[m].name};
+    Figures all;
+    for (const auto& of_cell : figures) {
+      row.push_back(number(of_cell[m].all.mean()));
+      all.add(of_cell[m].all);
     }
-    squared_steps += (warp.tail(warp.size() - 1) - warp.head(warp.size() - 1)).squaredNorm();
-    at_limit += align::share_at_slope_limit(warp, kSlopeLimit) * static_cast<double>(warp.size());
+    row.push_back(percent(all.share_at_limit()));
+    for (const auto* pairs : {&clean, &noisy}) row.push_back(number(judge(methods[m], *pairs).back().mean()));
+    table.add(row);
   }
-  [[nodiscard]] double mean() const {
-    double sum = 0.0;
-    for (const double error : errors) sum += error;
-    return sum / static_cast<double>(errors.size());
+  return table.markdown();
+}
+
+class Clock {
+ public:
+  void tell(const char* what) const {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    std::fprintf(stderr, "%5.1f s  %s\n", passed.count(), what);
   }
-  [[nodiscard]] double percentile_95() const {
-    std::vector<double> sorted = errors;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[static_cast<std::size_t>(0.95 * static_cast<double>(sorted.size() - 1))];
-  }
-  [[nodiscard]] double roughness() const { return std::sqrt(squared_steps / static_cast<double>(errors.size())); }
-  [[nodiscard]] double share_at_limit() const { return at_limit / static_cast<double>(errors.size()); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-Warp true_warp(const std::vector<double>& truth) {
-  const auto n = static_cast<Eigen::Index>(truth.size());
-  const Eigen::Map<const Eigen::VectorXd> time(truth.data(), n);
-  return time.tail(n - 1) - time.head(n - 1);
-}
-
-void print_row(const char* name, const Figures& all) {
-  std::printf("| %s | %.2f | %.2f | %.3f | %.0f %% |\n", name, all.mean(), all.percentile_95(), all.roughness(),
-              100.0 * all.share_at_limit());
-}
-
-void print_tables(const char* heading, const std::vector<Pair>& all, representation::StyleUnits units) {
-  const auto& columns = methods();
-  std::vector<Figures> overall(columns.size());
-  std::vector<std::pair<std::string, std::vector<Figures>>> by_style;
-  for (const Pair& pair : all) {
-    if (by_style.empty() || by_style.back().first != pair.style) {
-      by_style.emplace_back(pair.style, std::vector<Figures>(columns.size()));
-    }
-    const Signals signals = representation::alignment_features(pair.input.motion, pair.output.motion, units);
-    const std::vector<double> truth = generate::true_correspondence(pair.input, pair.output);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      const Warp warp = columns[k].solve(signals);
-      overall[k].add(warp, truth);
-      by_style.back().second[k].add(warp, truth);
-    }
+std::map<std::string, std::string> tables(const std::string& folder) {
+  const Clock clock;
+  std::map<std::string, std::string> parts;
+  std::vector<Method> methods = main_methods();
+  methods.push_back(uniform());
+  {
+    const auto walks = cells_of(folder, "walk", Takes::kLearnt), held_out = cells_of(folder, "walk", Takes::kHeldOut);
+    parts["walks"] = clip_table(walks, EventKind::kThresholds, methods);
+    parts["walks_held_out"] = clip_table(held_out, EventKind::kThresholds, methods);
+    parts["walks_detected"] = clip_table(walks, EventKind::kDetected, methods);
+    clock.tell("real walks");
+    const auto clean = walk_pairs(2, 30.0, 0.0), noisy = walk_pairs(2, 30.0, kNoise);
+    parts["ingredients"] = ingredient_table(walks, clean, noisy);
+    clock.tell("ingredients");
+    parts["single_dofs"] = single_dof_table(walk_pairs(1, 30.0, 0.0), walk_pairs(1, 30.0, kNoise));
+    clock.tell("single degrees of freedom");
   }
-  std::printf("\n### %s\n\n", heading);
-  std::printf("| method | mean error [frames] | 95th percentile [frames] | roughness | at the slope limit |\n");
-  std::printf("| --- | ---: | ---: | ---: | ---: |\n");
-  for (std::size_t k = 0; k < columns.size(); ++k) print_row(columns[k].name, overall[k]);
-
-  std::printf("\nMean error [frames] by style:\n\n| style |");
-  for (std::size_t k = 0; k < 4; ++k) std::printf(" %s |", columns[k].name);
-  std::printf(" uniform |\n| --- | ---: | ---: | ---: | ---: | ---: |\n");
-  for (const auto& [style, figures] : by_style) {
-    std::printf("| %s |", style.c_str());
-    for (std::size_t k = 0; k < 4; ++k) std::printf(" %.2f |", figures[k].mean());
-    std::printf(" %.2f |\n", figures.back().mean());
-  }
+  parts["contents"] = content_table(folder, Takes::kLearnt);
+  parts["contents_held_out"] = content_table(folder, Takes::kHeldOut);
+  clock.tell("real turns and runs");
+  const auto clean = walk_pairs(5, 30.0, 0.0);
+  parts["generated"] = walk_table(clean, methods);
+  parts["generated_styles"] = style_table(clean, methods);
+  parts["generated_noise"] = walk_table(walk_pairs(5, 30.0, kNoise), methods);
+  clock.tell("generated walks at 30 frames/s");
+  parts["generated_120"] = walk_table(walk_pairs(1, 120.0, 0.0), methods);
+  parts["generated_120_noise"] = walk_table(walk_pairs(1, 120.0, kNoise), methods);
+  clock.tell("generated walks at 120 frames/s");
+  return parts;
 }
 
-void print_truth(const std::vector<Pair>& all) {
-  Figures truth;
-  std::size_t frames = 0;
-  for (const Pair& pair : all) {
-    const std::vector<double> times = generate::true_correspondence(pair.input, pair.output);
-    const Warp warp = true_warp(times);
-    truth.squared_steps += (warp.tail(warp.size() - 1) - warp.head(warp.size() - 1)).squaredNorm();
-    truth.at_limit += align::share_at_slope_limit(warp, kSlopeLimit) * static_cast<double>(warp.size());
-    frames += times.size();
-  }
-  truth.errors.assign(frames, 0.0);
-  std::printf("%zu pairs, %zu frames. The true warp's roughness is %.3f; %.0f %% of it is at the slope limit.\n",
-              all.size(), frames, truth.roughness(), 100.0 * truth.share_at_limit());
-}
-
-void write_clips(const Pair& pair, const char* input, const char* output) {
-  const BvhLayout layout = default_layout(pair.input.motion.skeleton());
-  write_bvh(input, pair.input.motion, layout, Overwrite::kAllow);
-  write_bvh(output, pair.output.motion, layout, Overwrite::kAllow);
+void write_walks(const char* input, const char* output) {
+  const WalkPair pair = walk_pairs(1, 30.0, 0.0).front();
+  const BvhLayout layout = default_layout(pair.input.skeleton());
+  write_bvh(input, pair.input, layout, Overwrite::kAllow);
+  write_bvh(output, pair.output, layout, Overwrite::kAllow);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    const std::vector<Pair> all = pairs();
-    if (argc == 3) {
-      write_clips(all.front(), argv[1], argv[2]);
-      return 0;
+    if (argc == 4 && std::strcmp(argv[1], "--walks") == 0) {
+      write_walks(argv[2], argv[3]);
+    } else if (argc == 4) {
+      write_page(argv[2], argv[3], tables(argv[1]));
+    } else {
+      std::fprintf(stderr, "usage: correspondence_study CLIPS TEXT PAGE | --walks INPUT OUTPUT\n");
+      return 2;
     }
-    print_truth(all);
-    print_tables("Each motion in units of its own style, as `strut learn` aligns", all,
-                 representation::StyleUnits::kOwn);
-    print_tables("Postures as they are: one mean and unit for both", all, representation::StyleUnits::kShared);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "correspondence_study: %s\n", error.what());

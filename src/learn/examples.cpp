@@ -6,6 +6,7 @@
 
 #include <strut/motion/legs.h>
 #include <strut/motion/resample.h>
+#include <strut/representation/alignment_features.h>
 #include <strut/representation/extrapolation.h>
 
 namespace strut::learn {
@@ -26,8 +27,13 @@ FrameRange rescaled(const FrameRange& range, const Motion& clip, const Motion& r
 }
 
 StyleSignals represent(const std::vector<Motion>& clips, const Eigen::Quaterniond& upright) {
-  StyleSignals style{representation::fit_representation(clips, upright), {}};
+  StyleSignals style{representation::fit_representation(clips, upright), {}, {}};
   for (const Motion& clip : clips) style.clips.push_back(representation::encode(style.representation, clip));
+  for (const Motion& clip : clips) {
+    const auto legs = motion::find_legs(clip);
+    if (legs) style.stillness.push_back(representation::foot_stillness(clip, *legs));
+  }
+  if (style.stillness.size() < clips.size()) style.stillness.clear();
   return style;
 }
 

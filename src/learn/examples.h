@@ -14,7 +14,8 @@ namespace strut::learn {
 /// All clips of one style.
 struct StyleSignals {
   representation::Representation representation;
-  std::vector<FrameMatrix> clips;  ///< each frames x dofs
+  std::vector<FrameMatrix> clips;        ///< each frames x dofs
+  std::vector<FrameMatrix> stillness{};  ///< of the feet in each (representation::foot_stillness); none without legs
 };
 
 /// Both styles and the pairs between them, whose frames count at `frame_rate`.

@@ -19,7 +19,8 @@
 namespace strut::learn {
 namespace {
 
-using representation::Normalization;
+// What the paper aligns by.
+constexpr representation::FeatureShares kPosture{1.0, 0.0, 0.0};
 
 // A pair that runs along its slope limit for more than half of its length has not been aligned.
 constexpr double kLargestShareAtLimit = 0.5;
@@ -43,8 +44,11 @@ class PairAligner {
   PairAligner(const Examples& examples, const LearnOptions& options)
       : examples_(examples),
         options_(options),
-        input_scaling_(representation::fit_normalization(examples.input.clips)),
-        output_scaling_(representation::fit_normalization(examples.output.clips)) {}
+        is_continuous_(options.alignment_method == AlignmentMethod::kContinuous &&
+                       options.method != LearnMethod::kPaper),
+        features_(representation::timing_features({examples.input.clips, examples.input.stillness},
+                                                  {examples.output.clips, examples.output.stillness},
+                                                  examples.frame_rate, is_continuous_ ? options.features : kPosture)) {}
 
   /// The pair's time warp, not yet smoothed, or nothing and a warning.
   std::optional<PairWarp> align(const ClipPair& pair, Diagnostics& diagnostics) const {
@@ -53,14 +57,8 @@ class PairAligner {
       diagnostics.warn(name_of(pair), "left out: it lasts less than 0.2 s");
       return std::nullopt;
     }
-    align::IterativeMotionWarpingOptions options = options_.alignment;
-    options.slope_limit = slope_limit_of(pair);
     try {
-      return PairWarp{&pair,
-                      align::iterative_motion_warping(
-                          representation::alignment_features(input_of(pair), input_scaling_, output_scaling_),
-                          representation::alignment_features(output_of(pair), output_scaling_, input_scaling_), options)
-                          .correspondence.differential_warp};
+      return PairWarp{&pair, is_continuous_ ? continuous(pair) : iterative(pair)};
     } catch (const InvalidArgument& error) {
       diagnostics.warn(name_of(pair), std::string("left out: ") + error.what());
     }
@@ -84,9 +82,28 @@ class PairAligner {
   /// 0 in a pair says that its durations are too far apart, which aligning will say.
   static int slope_limit_of(const ClipPair& pair) { return std::max(pair.slope_limit, 2); }
 
-  [[nodiscard]] FrameMatrix input_of(const ClipPair& pair) const {
-    return rows_of(examples_.input.clips[static_cast<std::size_t>(pair.input_clip)], pair.input_frames);
+  [[nodiscard]] FrameMatrix input_features(const ClipPair& pair) const {
+    return rows_of(features_.input[static_cast<std::size_t>(pair.input_clip)], pair.input_frames);
   }
+  [[nodiscard]] FrameMatrix output_features(const ClipPair& pair) const {
+    return rows_of(features_.output[static_cast<std::size_t>(pair.output_clip)], pair.output_frames);
+  }
+
+  [[nodiscard]] Eigen::VectorXd continuous(const ClipPair& pair) const {
+    align::ContinuousWarpOptions options = options_.warp;
+    options.slope_limit = slope_limit_of(pair);
+    options.weights = features_.weights;
+    return align::continuous_warp(input_features(pair), output_features(pair), examples_.frame_rate, options)
+        .correspondence.differential_warp;
+  }
+
+  [[nodiscard]] Eigen::VectorXd iterative(const ClipPair& pair) const {
+    align::IterativeMotionWarpingOptions options = options_.alignment;
+    options.slope_limit = slope_limit_of(pair);
+    return align::iterative_motion_warping(input_features(pair), output_features(pair), options)
+        .correspondence.differential_warp;
+  }
+
   [[nodiscard]] FrameMatrix output_of(const ClipPair& pair) const {
     return rows_of(examples_.output.clips[static_cast<std::size_t>(pair.output_clip)], pair.output_frames);
   }
@@ -107,7 +124,8 @@ class PairAligner {
 
   const Examples& examples_;
   const LearnOptions& options_;
-  Normalization input_scaling_, output_scaling_;
+  bool is_continuous_;
+  representation::TimingFeatures features_;
 };
 
 }  // namespace

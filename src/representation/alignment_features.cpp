@@ -1,11 +1,160 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
+#include <strut/core/error.h>
+#include <strut/motion/kinematics.h>
 #include <strut/motion/legs.h>
 #include <strut/representation/alignment_features.h>
 #include <strut/representation/representation.h>
 
 namespace strut::representation {
+namespace {
+
+using Eigen::Index;
+
+// Changes are taken over twice this time [s]: one frame either way at 30 frames/s, the same at any other rate.
+constexpr double kHalfWindow = 1.0 / 30.0;
+// A foot that swings is as fast as this share of the clip's frames are at most.
+constexpr double kFastQuantile = 0.95;
+// The speed at which a foot counts as half still: of its fast speed, and at least this many leg lengths a second.
+constexpr double kStillShare = 0.2;
+constexpr double kLeastSpeed = 0.15;
+// Changes of posture (in its deviations) and of stillness that are no more than noise: per second, and as such.
+constexpr double kLeastMovement = 0.05;
+constexpr double kLeastStillness = 0.01;
+
+int half_window(double frame_rate) {
+  return std::max(1, static_cast<int>(std::lround(kHalfWindow * frame_rate)));
+}
+
+/// Rates of change per second, centred, one-sided at the ends.
+FrameMatrix rates_of(const FrameMatrix& signal, double frame_rate) {
+  const Index last = signal.rows() - 1, half = half_window(frame_rate);
+  FrameMatrix rates = FrameMatrix::Zero(signal.rows(), signal.cols());
+  for (Index t = 0; t <= last && last > 0; ++t) {
+    const Index before = std::max<Index>(0, t - half), after = std::min(last, t + half);
+    rates.row(t) = (signal.row(after) - signal.row(before)) * (frame_rate / static_cast<double>(after - before));
+  }
+  return rates;
+}
+
+double quantile(std::vector<double> values, double share) {
+  const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + index, values.end());
+  return values[static_cast<std::size_t>(index)];
+}
+
+/// Mean and deviation of every column over all `clips`.
+struct Spread {
+  Eigen::RowVectorXd mean, deviation;
+
+  explicit Spread(const std::vector<FrameMatrix>& clips) {
+    double frames = 0.0;
+    mean = deviation = Eigen::RowVectorXd::Zero(clips.front().cols());
+    for (const FrameMatrix& clip : clips) {
+      mean += clip.colwise().sum();
+      frames += static_cast<double>(clip.rows());
+    }
+    mean /= frames;
+    for (const FrameMatrix& clip : clips) deviation += (clip.rowwise() - mean).colwise().squaredNorm();
+    deviation = (deviation / frames).cwiseSqrt();
+  }
+};
+
+/// One group of signals of all clips of both styles, and which of its columns count.
+struct Group {
+  std::vector<FrameMatrix> input, output;
+  std::vector<bool> counts;
+  double share;
+
+  [[nodiscard]] double weight() const {
+    const auto kept = std::count(counts.begin(), counts.end(), true);
+    return kept == 0 ? 0.0 : share / static_cast<double>(kept);
+  }
+};
+
+/// A group that counts nothing: of no columns.
+Group nothing(const StyleClips& input, const StyleClips& output) {
+  Group group{{}, {}, {}, 0.0};
+  for (const FrameMatrix& rows : input.rows) group.input.emplace_back(rows.rows(), 0);
+  for (const FrameMatrix& rows : output.rows) group.output.emplace_back(rows.rows(), 0);
+  return group;
+}
+
+/// Divides both styles by their deviations, or by one of both; columns that hardly change in either become zero.
+void scale(Group& group, double least, StyleUnits units) {
+  const Spread input(group.input), output(group.output);
+  const bool shared = units == StyleUnits::kShared;
+  const Eigen::RowVectorXd pooled =
+      ((input.deviation.array().square() + output.deviation.array().square()) * 0.5).sqrt();
+  Eigen::RowVectorXd of_input = shared ? pooled : input.deviation, of_output = shared ? pooled : output.deviation;
+  for (Index d = 0; d < pooled.size(); ++d) {
+    const bool moves = input.deviation[d] > least && output.deviation[d] > least;
+    group.counts.push_back(moves);
+    of_input[d] = moves ? 1.0 / of_input[d] : 0.0;
+    of_output[d] = moves ? 1.0 / of_output[d] : 0.0;
+  }
+  for (FrameMatrix& clip : group.input) clip *= of_input.asDiagonal();
+  for (FrameMatrix& clip : group.output) clip *= of_output.asDiagonal();
+}
+
+Group posture_of(const StyleClips& input, const StyleClips& output, double share) {
+  const Normalization of_input = fit_normalization(input.rows), of_output = fit_normalization(output.rows);
+  Group group{{}, {}, {}, share};
+  for (const FrameMatrix& rows : input.rows) group.input.push_back(alignment_features(rows, of_input, of_output));
+  for (const FrameMatrix& rows : output.rows) group.output.push_back(alignment_features(rows, of_output, of_input));
+  for (int dof = kHeight; dof < of_input.num_dofs(); ++dof) {
+    group.counts.push_back(of_input.is_kept(dof) && of_output.is_kept(dof));
+  }
+  return group;
+}
+
+Group movement_of(const Group& posture, double frame_rate, double share) {
+  Group group{{}, {}, {}, share};
+  for (const FrameMatrix& clip : posture.input) group.input.push_back(rates_of(clip, frame_rate));
+  for (const FrameMatrix& clip : posture.output) group.output.push_back(rates_of(clip, frame_rate));
+  scale(group, kLeastMovement, StyleUnits::kOwn);
+  return group;
+}
+
+Group feet_of(const StyleClips& input, const StyleClips& output, double share) {
+  if (input.stillness.empty() || output.stillness.empty()) return nothing(input, output);
+  Group group{input.stillness, output.stillness, {}, share};
+  scale(group, kLeastStillness, StyleUnits::kShared);
+  return group;
+}
+
+FrameMatrix beside(const FrameMatrix& a, const FrameMatrix& b, const FrameMatrix& c) {
+  FrameMatrix all(a.rows(), a.cols() + b.cols() + c.cols());
+  all << a, b, c;
+  return all;
+}
+
+void check(const StyleClips& style, const char* name) {
+  const bool has_feet = !style.stillness.empty();
+  bool fits = !has_feet || style.stillness.size() == style.rows.size();
+  for (std::size_t k = 0; fits && has_feet && k < style.rows.size(); ++k) {
+    fits = style.stillness[k].rows() == style.rows[k].rows() && style.stillness[k].cols() == 2;
+  }
+  if (!fits)
+    throw InvalidArgument(name, "stillness of both feet in every frame of every clip, or none", "another size");
+}
+
+void check(double frame_rate, const FeatureShares& shares) {
+  if (!(frame_rate > 0.0) || !std::isfinite(frame_rate)) {
+    throw InvalidArgument("frame_rate", "a positive number", std::to_string(frame_rate));
+  }
+  for (const double share : {shares.posture, shares.movement, shares.feet}) {
+    if (share >= 0.0 && std::isfinite(share)) continue;
+    throw InvalidArgument("shares", "numbers that are not negative", std::to_string(share));
+  }
+}
+
+}  // namespace
+
 FrameMatrix alignment_features(const FrameMatrix& rows, const Normalization& own, const Normalization& other) {
   FrameMatrix features = own.normalize(rows).rightCols(rows.cols() - kHeight);
   for (Eigen::Index dof = 0; dof < features.cols(); ++dof) {
@@ -26,6 +175,71 @@ AlignmentPair alignment_features(const Motion& input, const Motion& output, Styl
   const auto scaling_of_output = shared ? scaling_of_input : fit_normalization({y});
   return {alignment_features(u, scaling_of_input, scaling_of_output),
           alignment_features(y, scaling_of_output, scaling_of_input)};
+}
+
+FrameMatrix foot_stillness(const Motion& motion, const motion::Legs& legs) {
+  if (motion.num_frames() == 0) throw InvalidArgument("motion", "at least one frame", "none");
+  FrameMatrix toes(motion.num_frames(), 6);
+  Eigen::Vector2d leg_length = Eigen::Vector2d::Zero();
+  motion::WorldPose world;
+  for (int t = 0; t < motion.num_frames(); ++t) {
+    const Pose& pose = motion.frame(t);
+    motion::forward_kinematics(motion.skeleton(), pose, world);
+    for (int foot = 0; foot < 2; ++foot) {
+      const motion::Leg& leg = legs.foot(foot);
+      toes.row(t).segment<3>(3 * foot) = motion::toe_position(leg, world).transpose();
+      leg_length[foot] += (pose.translations[static_cast<std::size_t>(leg.knee)].norm() +
+                           pose.translations[static_cast<std::size_t>(leg.ankle)].norm()) /
+                          motion.num_frames();
+    }
+  }
+  const FrameMatrix velocities = rates_of(toes, motion.frame_rate());
+  FrameMatrix stillness(toes.rows(), 2);
+  for (int foot = 0; foot < 2; ++foot) {
+    const Eigen::VectorXd speed = velocities.middleCols<3>(3 * foot).rowwise().norm();
+    const double fast = quantile({speed.data(), speed.data() + speed.size()}, kFastQuantile);
+    const double half = std::max(kStillShare * fast, kLeastSpeed * leg_length[foot]);
+    stillness.col(foot) = 1.0 / (1.0 + (speed.array() / half).square());
+  }
+  return stillness;
+}
+
+TimingFeatures timing_features(const StyleClips& input, const StyleClips& output, double frame_rate,
+                               const FeatureShares& shares) {
+  check(frame_rate, shares);
+  check(input, "input");
+  check(output, "output");
+  const Group posture = posture_of(input, output, shares.posture);
+  const Group movement =
+      shares.movement > 0.0 ? movement_of(posture, frame_rate, shares.movement) : nothing(input, output);
+  const Group feet = shares.feet > 0.0 ? feet_of(input, output, shares.feet) : nothing(input, output);
+  TimingFeatures features;
+  for (std::size_t k = 0; k < input.rows.size(); ++k) {
+    features.input.push_back(beside(posture.input[k], movement.input[k], feet.input[k]));
+  }
+  for (std::size_t k = 0; k < output.rows.size(); ++k) {
+    features.output.push_back(beside(posture.output[k], movement.output[k], feet.output[k]));
+  }
+  std::vector<double> weights;
+  for (const Group* group : {&posture, &movement, &feet}) {
+    for (const bool counts : group->counts) weights.push_back(counts ? group->weight() : 0.0);
+  }
+  features.weights = Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Index>(weights.size()));
+  return features;
+}
+
+TimingPair timing_features(const Motion& input, const Motion& output, const FeatureShares& shares) {
+  const Eigen::Quaterniond upright = motion::upright_reference(input);
+  const auto of_input = fit_representation({input}, upright), of_output = fit_representation({output}, upright);
+  check_skeleton(of_input, output.skeleton());
+  StyleClips inputs{{encode(of_input, input)}, {}}, outputs{{encode(of_output, output)}, {}};
+  const auto legs = motion::find_legs(input);
+  if (legs) {
+    inputs.stillness.push_back(foot_stillness(input, *legs));
+    outputs.stillness.push_back(foot_stillness(output, *legs));
+  }
+  TimingFeatures features = timing_features(inputs, outputs, input.frame_rate(), shares);
+  return {std::move(features.input.front()), std::move(features.output.front()), std::move(features.weights)};
 }
 
 }  // namespace strut::representation

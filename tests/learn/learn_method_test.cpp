@@ -251,5 +251,28 @@ TEST(LearnMethods, RefuseOptionsOutOfRange) {
   EXPECT_EQ(refusal({.radial = {.lag = NAN}}), "radial.lag: expected a number of at least 0.000000, got nan");
 }
 
+/// What a model makes of its own examples, one after the other.
+FrameMatrix outputs_of(const LearnMethod method, AlignmentMethod alignment) {
+  const Clips clips = short_clips();
+  LearnOptions options;
+  options.method = method;
+  options.alignment_method = alignment;
+  const LearntStyle learnt = learn_from(clips, options);
+  const auto& model = *learnt.model;
+  const FrameMatrix rows = model.input_scaling().normalize(representation::encode(model.input(), clips.inputs.front()));
+  return run(learnt, rows);
+}
+
+TEST(AlignmentMethod, OfThePaperIsThePapersWhateverIsAskedFor) {
+  EXPECT_EQ(outputs_of(LearnMethod::kPaper, AlignmentMethod::kContinuous),
+            outputs_of(LearnMethod::kPaper, AlignmentMethod::kIterative));
+}
+
+TEST(AlignmentMethod, IsContinuousUnlessIterativeIsAskedFor) {
+  const FrameMatrix continuous = outputs_of(LearnMethod::kRadial, AlignmentMethod::kContinuous);
+  EXPECT_EQ(continuous, outputs_of(LearnMethod::kRadial, LearnOptions{}.alignment_method));
+  EXPECT_NE(continuous, outputs_of(LearnMethod::kRadial, AlignmentMethod::kIterative));
+}
+
 }  // namespace
 }  // namespace strut

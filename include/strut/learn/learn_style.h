@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <strut/align/continuous_warp.h>
 #include <strut/align/iterative_motion_warping.h>
 #include <strut/core/diagnostics.h>
 #include <strut/learn/clip_pair.h>
@@ -15,6 +16,7 @@
 #include <strut/model/style_model.h>
 #include <strut/motion/annotation.h>
 #include <strut/motion/motion.h>
+#include <strut/representation/alignment_features.h>
 #include <strut/sysid/identify.h>
 
 namespace strut {
@@ -25,6 +27,12 @@ enum class LearnMethod {
   kLinear,  ///< a linear system per joint: a regularized one that sees the context, or the subspace method's on the
             ///< joint's own inputs, whichever predicts left-out clips better
   kPaper,   ///< as in the paper: N4SID per joint on its own inputs, order by the largest gap of the singular values
+};
+
+/// How the moments of a pair are found that belong together.
+enum class AlignmentMethod {
+  kContinuous,  ///< align::continuous_warp, by posture, movement and stillness of the feet
+  kIterative,   ///< as in the paper: align::iterative_motion_warping, by posture; LearnMethod::kPaper always does
 };
 
 /// How a radial map is fitted.
@@ -41,7 +49,12 @@ struct LearnOptions {
   int context = 16;  ///< principal components of the whole body's input that every part sees; 0 for none, which leaves
                      ///< linear systems only
   RadialOptions radial{};
-  align::IterativeMotionWarpingOptions alignment{};  ///< its slope_limit is each pair's own
+  AlignmentMethod alignment_method = AlignmentMethod::kContinuous;
+  /// Of kContinuous; its slope_limit and weights are each pair's own. Stiffer than align's default: what is learnt is
+  /// what the takes have in common.
+  align::ContinuousWarpOptions warp{.slope_reach = 0.006, .space_reach = 1.0};
+  representation::FeatureShares features{};          ///< what kContinuous looks at
+  align::IterativeMotionWarpingOptions alignment{};  ///< of kIterative; its slope_limit is each pair's own
   std::optional<double> time_warp_smoothing{};       ///< reach of the smoothing of the differential warp [s]; chosen on
                                                      ///< left-out pairs if empty
   double lead_in = 1.0;                              ///< input before each pair that the model runs over first [s]

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What alignment looks at in a motion: the bridge from representation (skeletons) to align (signals).
+// What alignment looks at in a motion: the bridge from representation (skeletons) to align (signals). The paper looks
+// at posture. Posture alone says little about the moments in which a foot comes down or leaves, so two more groups of
+// signals can be looked at beside it: how posture changes, and how still the feet are.
 #pragma once
 
+#include <vector>
+
+#include <Eigen/Core>
+
 #include <strut/math/frame_matrix.h>
+#include <strut/motion/legs.h>
 #include <strut/motion/motion.h>
 #include <strut/representation/normalization.h>
 
@@ -27,5 +34,47 @@ enum class StyleUnits {
 /// The features of two motions that are all there is of their styles. One hierarchy and one frame rate.
 /// Throws InvalidArgument if one has no frame, SkeletonMismatch if the hierarchies differ. Cost O(frames x joints).
 AlignmentPair alignment_features(const Motion& input, const Motion& output, StyleUnits units = StyleUnits::kOwn);
+
+/// How still each foot's toe is, 0 ... 1, from how it moves over the ground (frames x 2: left, right):
+/// 1 / (1 + (v / v0)^2), with the speed v over 1/15 s and v0 a fifth of the clip's own fast swing or, if that is more,
+/// 0.15 leg lengths a second. A number without threshold, in which a landing is a rise of a few frames and a lift-off a
+/// fall. Throws InvalidArgument if the motion is empty. Cost O(frames x joints).
+FrameMatrix foot_stillness(const Motion& motion, const motion::Legs& legs);
+
+/// What the groups of signals count, together, in the distance of two frames; 0 leaves movement or feet out.
+struct FeatureShares {
+  double posture = 1.0;   ///< alignment_features above
+  double movement = 0.5;  ///< how fast each of those changes, in its own style's deviation
+  double feet = 4.0;      ///< foot_stillness, in one unit for both styles
+};
+
+/// The clips of one style.
+struct StyleClips {
+  std::vector<FrameMatrix> rows;       ///< encoded (representation.h), each frames x dofs
+  std::vector<FrameMatrix> stillness;  ///< foot_stillness of each, or nothing for a body without legs
+};
+
+/// What alignment looks at in every clip of two styles.
+struct TimingFeatures {
+  std::vector<FrameMatrix> input, output;  ///< of every clip (frames x dofs), at the clip's own frames
+  Eigen::VectorXd weights;                 ///< what each degree of freedom counts, >= 0 (dofs)
+};
+
+/// Posture, movement and stillness of all clips of two styles; degrees of freedom that hardly change in one of the
+/// styles count nothing, and a group's share is parted evenly among those that do. `frame_rate` [frames/s] of all.
+/// Throws InvalidArgument if a style has no frame, sizes do not fit, a share is negative, or the rate is not positive.
+/// Cost O(frames x dofs).
+TimingFeatures timing_features(const StyleClips& input, const StyleClips& output, double frame_rate,
+                               const FeatureShares& shares = {});
+
+/// The same of two motions.
+struct TimingPair {
+  FrameMatrix input, output;  ///< (frames x dofs)
+  Eigen::VectorXd weights;    ///< what each degree of freedom counts, >= 0 (dofs)
+};
+
+/// The same of two motions that are all there is of their styles, of one hierarchy and one frame rate.
+/// Throws InvalidArgument if one has no frame, SkeletonMismatch if the hierarchies differ. Cost O(frames x joints).
+TimingPair timing_features(const Motion& input, const Motion& output, const FeatureShares& shares = {});
 
 }  // namespace strut::representation
