@@ -135,6 +135,29 @@ std::string clip_table(const std::vector<Cell>& cells, EventKind kind, const std
   return table.markdown();
 }
 
+/// What it costs to know events to the frame only.
+std::string rounding_table(const std::vector<Cell>& cells) {
+  const std::vector<Method> methods{{"IMW, posture", Solver::kIterative, kPosture},
+                                    {"DTW, Type I, all signals", Solver::kDtw1, Features{}},
+                                    continuous("**continuous warp, all signals**")};
+  std::vector<std::string> head{"method"};
+  for (const Cell& cell : cells) {
+    head.push_back(cell.style);
+    head.push_back(cell.style + ", to the frame");
+  }
+  Table table(head);
+  std::vector<std::vector<std::string>> rows;
+  for (const Method& method : methods) rows.push_back({method.name});
+  for (const Cell& cell : cells) {
+    for (const EventKind kind : {EventKind::kThresholds, EventKind::kRounded}) {
+      const std::vector<ClipFigures> figures = judge(cell, kind, methods);
+      for (std::size_t m = 0; m < methods.size(); ++m) rows[m].push_back(number(figures[m].all.mean()));
+    }
+  }
+  for (const auto& row : rows) table.add(row);
+  return table.markdown();
+}
+
 std::vector<Cell> cells_of(const std::string& folder, const std::string& content, Takes takes) {
   std::vector<Cell> cells;
   for (const std::string& style : kStyles) cells.push_back(read_cell(folder, content, style, takes));
@@ -230,6 +253,7 @@ std::map<std::string, std::string> tables(const std::string& folder) {
     const auto walks = cells_of(folder, "walk", Takes::kLearnt), held_out = cells_of(folder, "walk", Takes::kHeldOut);
     parts["walks"] = clip_table(walks, EventKind::kThresholds, methods);
     parts["walks_held_out"] = clip_table(held_out, EventKind::kThresholds, methods);
+    parts["walks_rounded"] = rounding_table(walks);
     parts["walks_detected"] = clip_table(walks, EventKind::kDetected, methods);
     clock.tell("real walks");
     const auto clean = walk_pairs(2, 30.0, 0.0), noisy = walk_pairs(2, 30.0, kNoise);

@@ -83,6 +83,12 @@ struct ToeSpeed {
   [[nodiscard]] double share(int i, double level) const { return (level - at(i)) / (at(i + 1) - at(i)); }
 };
 
+Plant rounded(Plant plant) {
+  if (plant.landing) plant.landing = std::ceil(*plant.landing);
+  if (plant.leaving) plant.leaving = std::ceil(*plant.leaving);
+  return plant;
+}
+
 /// The only landing of `plants` in (begin, end), or none.
 const Plant* only_landing(const std::vector<Plant>& plants, double begin, double end) {
   const Plant* found = nullptr;
@@ -132,7 +138,8 @@ std::vector<std::vector<Plant>> foot_events(const Motion& motion, EventKind kind
       Plant found;
       if (plant.begin > 0) found.landing = plant.begin;
       if (plant.end < motion.num_frames()) found.leaving = plant.end;
-      if (kind == EventKind::kThresholds) found = toe.around(0.5 * (plant.begin + plant.end));
+      if (kind != EventKind::kDetected) found = toe.around(0.5 * (plant.begin + plant.end));
+      if (kind == EventKind::kRounded) found = rounded(found);
       events[static_cast<std::size_t>(foot)].push_back(found);
     }
   }

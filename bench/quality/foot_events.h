@@ -13,6 +13,7 @@ namespace strut::study {
 /// How landings and lift-offs are told.
 enum class EventKind {
   kThresholds,  ///< when the toe's speed passes the footplant detector's thresholds, between the frames
+  kRounded,     ///< the same, to the first frame after it
   kDetected,    ///< postprocess::detect_footplants, to the frame
 };
 

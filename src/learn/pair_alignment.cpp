@@ -92,7 +92,7 @@ class PairAligner {
   [[nodiscard]] Eigen::VectorXd continuous(const ClipPair& pair) const {
     align::ContinuousWarpOptions options = options_.warp;
     options.slope_limit = slope_limit_of(pair);
-    options.weights = features_.weights;
+    if (features_.weights.sum() > 0.0) options.weights = features_.weights;  // else nothing moves, and learning says so
     return align::continuous_warp(input_features(pair), output_features(pair), examples_.frame_rate, options)
         .correspondence.differential_warp;
   }

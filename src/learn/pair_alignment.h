@@ -24,7 +24,7 @@ struct AlignedPair {
 /// Frames of input before each pair that the model runs over first.
 int lead_in_frames(const LearnOptions& options, double frame_rate);
 
-/// Aligns every pair by iterative motion warping, in parallel. Pairs that cannot be aligned, or that run along their
+/// Aligns every pair as the options ask, in parallel. Pairs that cannot be aligned, or that run along their
 /// slope limit, are left out and reported. Throws InvalidArgument if none is left.
 std::vector<AlignedPair> align_pairs(const Examples& examples, const LearnOptions& options, Diagnostics* diagnostics,
                                      const Progress& progress);

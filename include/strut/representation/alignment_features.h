@@ -57,7 +57,7 @@ struct StyleClips {
 /// What alignment looks at in every clip of two styles.
 struct TimingFeatures {
   std::vector<FrameMatrix> input, output;  ///< of every clip (frames x dofs), at the clip's own frames
-  Eigen::VectorXd weights;                 ///< what each degree of freedom counts, >= 0 (dofs)
+  Eigen::VectorXd weights;                 ///< what each degree of freedom counts, >= 0; all 0 if nothing moves (dofs)
 };
 
 /// Posture, movement and stillness of all clips of two styles; degrees of freedom that hardly change in one of the
