@@ -37,6 +37,12 @@ align::Correspondence time_warp(const Signals& signals) {
   return align::time_warp(signals.input, signals.output, options).correspondence();
 }
 
+align::Correspondence dtw(const Signals& signals, align::LocalConstraint constraint) {
+  align::DynamicTimeWarpingOptions options;
+  options.weights = signals.weights;
+  return align::dynamic_time_warping(signals.input, signals.output, constraint, options).correspondence;
+}
+
 align::Correspondence as_found(const Method& method, const Signals& signals) {
   switch (method.solver) {
     case Solver::kIterative:
@@ -44,12 +50,9 @@ align::Correspondence as_found(const Method& method, const Signals& signals) {
     case Solver::kTimeWarp:
       return time_warp(signals);
     case Solver::kDtw1:
-      return align::dynamic_time_warping(signals.input, signals.output, align::LocalConstraint::kTypeI, signals.weights)
-          .correspondence;
+      return dtw(signals, align::LocalConstraint::kTypeI);
     case Solver::kDtw3:
-      return align::dynamic_time_warping(signals.input, signals.output, align::LocalConstraint::kTypeIII,
-                                         signals.weights)
-          .correspondence;
+      return dtw(signals, align::LocalConstraint::kTypeIII);
     case Solver::kContinuous:
       return continuous(method, signals);
     case Solver::kUniform:
