@@ -177,7 +177,7 @@ TEST_F(BadInput, WrongUsageIsToldInPlainWords) {
       {{"learn", "x.toml", "-o", "a", "--shrinkage", "none"},
        "strut learn: error: --shrinkage: expected a number from 1e-09 to 1e+06, got 'none'\n"},
       {{"align", "a", "b", "--smoothness", "nan"},
-       "strut align: error: --smoothness: expected a number that is not negative, got 'nan'\n"},
+       "strut align: error: --smoothness: expected a number from 0 to 1e+12, got 'nan'\n"},
       {{"convert", "a", "-o", "b", "--keep-layout", "--rotation-order", "xyz"},
        "strut convert: error: --keep-layout cannot go together with --rotation-order\n"}};
   for (const auto& [arguments, message] : wrong) {
