@@ -99,6 +99,7 @@ int main(int argc, char** argv) {
   add_measure(app);
   add_footplants(app);
   add_sysid(app);
+  add_blend(app);
   add_demo(app);
   add_completion(app);
   return flush_output(run(app, argc, argv));

@@ -18,8 +18,10 @@ const std::set<std::string> kSurfaces = {"cli", "bench", "tests", "examples"};
 const std::set<std::string> kSystemHeaders = {"fcntl.h",  "math.h",  "poll.h",   "signal.h", "spawn.h", "stddef.h",
                                               "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys",     "unistd.h"};
 /// Headers made at build time, and the folder they belong to.
-const std::map<std::string, std::string> kGenerated = {
-    {"style_model_generated.h", "model"}, {"strut_version.h", "core"}, {"demo_page_template.h", "cli"}};
+const std::map<std::string, std::string> kGenerated = {{"style_model_generated.h", "model"},
+                                                       {"gait_model_generated.h", "blend"},
+                                                       {"strut_version.h", "core"},
+                                                       {"demo_page_template.h", "cli"}};
 
 struct Include {
   std::string name;
