@@ -4,6 +4,7 @@
 //   correspondence_study CLIPS TEXT PAGE           as `./dev correspondence` calls it
 //   correspondence_study --walks INPUT OUTPUT      a pair of generated walks, for the page's figure
 #include "correspondence_clips.h"
+#include "correspondence_groups.h"
 #include "correspondence_page.h"
 #include "correspondence_walks.h"
 
@@ -95,6 +96,21 @@ std::string single_dof_table(const std::vector<WalkPair>& clean, const std::vect
     std::vector<std::string> row = full_row(method.name, judge_single_dofs(method, clean));
     row.push_back(number(judge_single_dofs(method, noisy).mean()));
     table.add(row);
+  }
+  return table.markdown();
+}
+
+/// Seven styles of one content: pair by pair, by way of the plain one, by way of a common timeline.
+std::string group_table() {
+  Table table({"method", "pair by pair", "by way of the plain walk", "by way of the common timeline"});
+  const auto groups = walk_groups(3, 30.0);
+  Method smoothed = papers_methods(kPosture).front();
+  smoothed.name += ", smoothed";
+  smoothed.is_smoothed = true;
+  for (const Method& method : {smoothed, continuous("continuous warp", kPosture)}) {
+    const GroupFigures figures = judge_groups(method, groups);
+    table.add({method.name, number(figures.direct.mean()), number(figures.reference.mean()),
+               number(figures.timeline.mean())});
   }
   return table.markdown();
 }
@@ -273,6 +289,8 @@ std::map<std::string, std::string> tables(const std::string& folder) {
   parts["generated_120"] = walk_table(walk_pairs(1, 120.0, 0.0), methods);
   parts["generated_120_noise"] = walk_table(walk_pairs(1, 120.0, kNoise), methods);
   clock.tell("generated walks at 120 frames/s");
+  parts["groups"] = group_table();
+  clock.tell("groups");
   return parts;
 }
 

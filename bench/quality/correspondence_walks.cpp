@@ -141,6 +141,24 @@ std::vector<WalkPair> walk_pairs(int seeds, double frame_rate, double noise) {
   return all;
 }
 
+std::vector<std::vector<generate::Walk>> walk_groups(int seeds, double frame_rate) {
+  std::vector<NamedStyle> members = styles();
+  members.insert(members.begin(), {"plain", WalkStyle()});
+  std::vector<std::vector<generate::Walk>> groups;
+  unsigned seed = 1;
+  for (int k = 0; k < seeds; ++k) {
+    for (const WalkContent& content : contents()) {
+      groups.emplace_back();
+      for (auto& [name, style] : members) {
+        style.seed = seed++;
+        style.variation = kVariation;
+        groups.back().push_back(generate::generate_walk(content, style, frame_rate));
+      }
+    }
+  }
+  return groups;
+}
+
 std::vector<Figures> judge(const Method& method, const std::vector<WalkPair>& pairs) {
   std::vector<Figures> of_pair(pairs.size());
   tbb::parallel_for(std::size_t{0}, pairs.size(),

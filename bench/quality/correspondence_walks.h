@@ -29,6 +29,9 @@ std::vector<Figures> judge(const Method& method, const std::vector<WalkPair>& pa
 /// at that): the paper's Figure 2. Figures over all of them.
 Figures judge_single_dofs(const Method& method, const std::vector<WalkPair>& pairs);
 
+/// A content walked plainly and in every style, the plain walk first.
+std::vector<std::vector<generate::Walk>> walk_groups(int seeds, double frame_rate);
+
 /// The names of the styles.
 std::vector<std::string> walk_styles();
 
