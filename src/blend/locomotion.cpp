@@ -241,9 +241,7 @@ SynthesizedGait synthesize(const std::shared_ptr<const GaitModel>& model, const 
     try {
       frames.push_back(walker.next(controls));
     } catch (const InvalidArgument& error) {
-      throw InvalidArgument(
-          error.argument(), "gaits the model can make",
-          "at " + shown(time) + " s: " + std::string(error.what()).substr(error.argument().size() + 2), error.hint());
+      throw InvalidArgument("at " + shown(time) + " s", error);
     }
     excursions.see(controls, time);
   }
