@@ -2,8 +2,9 @@
 // The parts of blend_study: what it is made of, and what each prints.
 #pragma once
 
+#include "walker_styles.h"
+
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <strut/blend/gait_examples.h>
@@ -11,9 +12,6 @@
 #include <strut/generate/walker.h>
 
 namespace strut::study {
-
-/// The styles of the generated walks.
-std::vector<std::pair<std::string, generate::WalkStyle>> walker_styles();
 
 /// Speeds asked of the walker before a style scales them [m/s].
 const std::vector<double>& walker_speeds();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "correspondence_walks.h"
 
+#include "walker_styles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -15,49 +17,6 @@ using generate::WalkContent;
 using generate::WalkStyle;
 
 constexpr double kVariation = 2.5;  // of steps: about 5 % of length and time, in each motion by itself
-
-struct NamedStyle {
-  const char* name;
-  WalkStyle style;
-};
-
-std::vector<NamedStyle> styles() {
-  WalkStyle crouch;
-  crouch.crouch = 0.25;
-  crouch.cadence_scale = 0.8;
-  crouch.torso_lean = 0.5;
-  crouch.arm_swing = 0.1;
-  crouch.elbow_bend = 1.0;
-  WalkStyle limp;
-  limp.limp = 1.0;
-  limp.cadence_scale = 0.85;
-  limp.step_length_scale = 0.8;
-  WalkStyle march;
-  march.foot_lift = 0.25;
-  march.arm_swing = 0.9;
-  march.cadence_scale = 1.1;
-  march.heel_strike = 0.0;
-  WalkStyle old;
-  old.step_length_scale = 0.55;
-  old.cadence_scale = 0.75;
-  old.torso_lean = 0.35;
-  old.arm_swing = 0.12;
-  old.elbow_bend = 0.7;
-  old.push_off = 0.45;
-  WalkStyle swagger;
-  swagger.hip_sway = 2.2;
-  swagger.hip_twist = 2.0;
-  swagger.arm_spread = 0.35;
-  swagger.arm_swing = 0.6;
-  swagger.cadence_scale = 0.9;
-  swagger.bounce = 1.6;
-  WalkStyle hurry;
-  hurry.cadence_scale = 1.5;
-  hurry.torso_lean = 0.2;
-  hurry.elbow_bend = 1.4;
-  hurry.arm_swing = 0.7;
-  return {{"crouch", crouch}, {"limp", limp}, {"march", march}, {"old", old}, {"swagger", swagger}, {"hurry", hurry}};
-}
 
 /// Straight at two speeds, a turn, and a change of pace with the path bending after it.
 std::vector<WalkContent> contents() {
@@ -117,14 +76,14 @@ Signals single(const Signals& all, Eigen::Index dof, Eigen::Index num_posture, c
 
 std::vector<std::string> walk_styles() {
   std::vector<std::string> names;
-  for (const NamedStyle& style : styles()) names.emplace_back(style.name);
+  for (const auto& [name, style] : walker_styles()) names.push_back(name);
   return names;
 }
 
 std::vector<WalkPair> walk_pairs(int seeds, double frame_rate, double noise) {
   std::vector<WalkPair> all;
   unsigned seed = 1;
-  for (const auto& [name, style] : styles()) {
+  for (const auto& [name, style] : walker_styles()) {
     for (const WalkContent& content : contents()) {
       for (int k = 0; k < seeds; ++k) {
         WalkStyle plain, styled = style;
@@ -142,7 +101,7 @@ std::vector<WalkPair> walk_pairs(int seeds, double frame_rate, double noise) {
 }
 
 std::vector<std::vector<generate::Walk>> walk_groups(int seeds, double frame_rate) {
-  std::vector<NamedStyle> members = styles();
+  auto members = walker_styles();
   members.insert(members.begin(), {"plain", WalkStyle()});
   std::vector<std::vector<generate::Walk>> groups;
   unsigned seed = 1;
