@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "blend_report.h"
 
+#include "model_info.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -63,8 +65,24 @@ Json gait_report_as_json(const blend::GaitReport& report, const std::vector<std:
   return all;
 }
 
+Json gait_model_as_json(const std::string& path, const blend::GaitModel& model) {
+  Json styles = Json::array();
+  for (const blend::GaitStyle& style : model.styles()) {
+    styles.push_back({{"name", style.name},
+                      {"cycles", style.num_cycles},
+                      {"slowest_m_per_s", style.slowest},
+                      {"fastest_m_per_s", style.fastest}});
+  }
+  return {{"file", path},
+          {"kind", "gait model"},
+          {"frame_rate", model.frame_rate()},
+          {"num_joints", model.representation().skeleton().num_joints()},
+          {"styles", std::move(styles)},
+          {"provenance", provenance_as_json(model.provenance())}};
+}
+
 void print_gait_model(const std::string& path, const blend::GaitModel& model) {
-  const Json provenance = Json::parse(model.provenance(), nullptr, false);
+  const Json provenance = provenance_as_json(model.provenance());
   fmt::print("{}: gait model, {} joints, {:g} frames/s\n", path, model.representation().skeleton().num_joints(),
              model.frame_rate());
   fmt::print("{:<20} {:>8} {:>20}\n", "style", "cycles", "speeds [m/s]");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // strut info: what a file holds and what was assumed about it. One file in full, many as a line each; --json for
 // programs.
+#include "blend_report.h"
 #include "bvh_options.h"
 #include "commands.h"
 #include "model_info.h"
@@ -15,6 +16,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <strut/blend/gait_model_io.h>
 #include <strut/core/error.h>
 #include <strut/io/bvh.h>
 #include <strut/model/style_model_io.h>
@@ -187,6 +189,7 @@ class InfoReport {
     try {
       const std::string bytes = read_file(path);
       if (is_style_model(bytes)) return add_model(path, bytes);
+      if (blend::is_gait_model(bytes)) return add_gait_model(path, bytes);
       clips_.push_back(facts_of(path, parse_bvh(bytes, path, options_.read, &diagnostics_)));
     } catch (const Error& error) {
       if (failure_) say(fmt::format("{}\n", error.what()));
@@ -215,6 +218,12 @@ class InfoReport {
     models_.push_back(model_as_json(path, *model));
   }
 
+  void add_gait_model(const std::string& path, const std::string& bytes) {
+    const auto model = blend::parse_gait_model(bytes, path);
+    if (!options_.json) print_gait_model(path, *model);
+    models_.push_back(gait_model_as_json(path, *model));
+  }
+
   /// What was assumed stands in the report itself.
   [[nodiscard]] Diagnostics warnings() const {
     Diagnostics warnings;
@@ -235,8 +244,8 @@ class InfoReport {
 
 void add_info(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* command = app.add_subcommand("info", "Show what a BVH clip or a style model holds");
-  command->add_option("FILE", options->files, "BVH clips (or style models); many are shown as a line each")->required();
+  CLI::App* command = app.add_subcommand("info", "Show what a BVH clip or a model holds");
+  command->add_option("FILE", options->files, "BVH clips (or models); many are shown as a line each")->required();
   command->add_flag("--json", options->json, "Print a JSON list instead of text: metres, seconds, frames per second");
   add_bvh_read_options(*command, "--", options->read);
   command->callback([options] {

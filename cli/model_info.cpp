@@ -10,12 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Provenance is text that anybody may have written: what is not as strut writes it is shown as it is.
-Json provenance_of(const StyleModel& model) {
-  Json parsed = Json::parse(model.provenance(), nullptr, false);
-  return parsed.is_discarded() ? Json(model.provenance()) : parsed;
-}
-
 Json blocks_as_json(const StyleModel& model) {
   Json blocks = Json::array();
   for (const StyleBlock& block : model.blocks()) {
@@ -51,6 +45,11 @@ void print_sources(const Json& provenance) {
 
 }  // namespace
 
+Json provenance_as_json(const std::string& provenance) {
+  Json parsed = Json::parse(provenance, nullptr, false);
+  return parsed.is_discarded() ? Json(provenance) : parsed;
+}
+
 Json model_as_json(const std::string& path, const StyleModel& model) {
   return {{"file", path},
           {"kind", "style model"},
@@ -61,14 +60,14 @@ Json model_as_json(const std::string& path, const StyleModel& model) {
           {"num_states", model.num_states()},
           {"tells_footplants", model.footplants().has_value()},
           {"blocks", blocks_as_json(model)},
-          {"provenance", provenance_of(model)}};
+          {"provenance", provenance_as_json(model.provenance())}};
 }
 
 void print_model(const std::string& path, const StyleModel& model) {
   fmt::print("{}\n", path);
   fmt::print("  style model at {:g} frames/s, {} joints, pelvis '{}'\n", model.frame_rate(),
              model.skeleton().num_joints(), model.skeleton().joint(model.skeleton().pelvis()).name);
-  const Json provenance = provenance_of(model);
+  const Json provenance = provenance_as_json(model.provenance());
   print_sources(provenance);
   const auto report = report_from_json(provenance.is_object() ? provenance.value("report", Json()) : Json());
   if (report) {

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestQuote = 32;
+constexpr std::size_t kLookedAt = 64;  // bytes at the beginning, in which no text has a zero
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
@@ -62,6 +63,10 @@ BvhCursor::BvhCursor(BvhLines& lines, const std::string& name) : lines_(&lines),
 void BvhCursor::check_encoding() {
   if (text_.substr(0, 2) == "\xFF\xFE" || text_.substr(0, 2) == "\xFE\xFF") {
     fail_with(0, "text in ASCII or UTF-8", "UTF-16", "save the file as plain text");
+  }
+  if (text_.substr(0, kLookedAt).find('\0') != text_.npos) {
+    fail_with(0, "a BVH file, which is text", "bytes that are none",
+              "strut info tells what is in a model; other programs' files must be converted to BVH");
   }
   if (text_.substr(0, kUtf8Mark.size()) == kUtf8Mark) position_ = kUtf8Mark.size();
 }

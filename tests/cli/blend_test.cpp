@@ -52,6 +52,11 @@ TEST_F(BlendCommand, LearnsShowsAndMakes) {
   const ProgramResult shown = blend({"@gaits"});
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
   EXPECT_EQ(shown.out, learnt.out);
+  EXPECT_EQ(here_.run(STRUT_PROGRAM, {"info", "@gaits"}).out, learnt.out);
+  EXPECT_THAT(here_.run(STRUT_PROGRAM, {"info", "--json", "@gaits"}).out, HasSubstr("\"kind\": \"gait model\""));
+  const ProgramResult confused = here_.run(STRUT_PROGRAM, {"align", "@gaits", "@plain_slow.bvh"});
+  EXPECT_EQ(confused.exit_code, 3);
+  EXPECT_THAT(confused.err, HasSubstr("expected a BVH file, which is text, found bytes that are none"));
   const ProgramResult made = blend(
       {"@gaits", "--style", "plain=0.5", "--style", "low=0.5", "--speed", "1.0", "--seconds", "5", "-o", "@out.bvh"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
