@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Finds which moment of a normal step belongs to which moment of a limping one, by iterative motion warping, and holds
-// it against the truth, which the generator of the two walks knows.
+// Finds which moment of a normal step belongs to which moment of a limping one, by the continuous warp that learning
+// aligns with, and holds it against the truth, which the generator of the two walks knows.
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include <strut/align/iterative_motion_warping.h>
+#include <strut/align/continuous_warp.h>
 #include <strut/core/error.h>
 #include <strut/generate/walker.h>
 #include <strut/representation/alignment_features.h>
@@ -17,10 +17,13 @@ int main() {
     const auto normal = strut::generate::generate_walk(content, {}, 30.0);
     const auto limping = strut::generate::generate_walk(content, {.cadence_scale = 0.85, .limp = 0.7}, 30.0);
 
-    // 2. Alignment sees signals, not skeletons: a row per frame, a column per degree of freedom, each of unit variance.
-    const auto signals = strut::representation::alignment_features(normal.motion, limping.motion);
-    const auto aligned = strut::align::iterative_motion_warping(signals.input, signals.output);
-    std::printf("%zu rounds; E from %.0f to %.0f\n", aligned.objective.size(), aligned.objective.front(),
+    // 2. Alignment sees signals, not skeletons: a row per frame, a column per degree of freedom, each of unit variance,
+    //    and what each counts. Here: posture, how it changes, and how still the feet are.
+    const auto signals = strut::representation::timing_features(normal.motion, limping.motion);
+    strut::align::ContinuousWarpOptions options;
+    options.weights = signals.weights;
+    const auto aligned = strut::align::continuous_warp(signals.input, signals.output, 30.0, options);
+    std::printf("%zu steps; E from %.2f to %.2f\n", aligned.objective.size(), aligned.objective.front(),
                 aligned.objective.back());
 
     // 3. Where each input frame lies in the output's time, beside where it truly does.
