@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "align_drawing.h"
 
+#include "align_signals.h"
 #include "input_files.h"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ AlignAnswer add_compared(AlignFigure& figure, const Alignment& a, const AlignOpt
   try {
     AlignAnswer answer = solve(a, other);
     figure.compared = warp_of(other, other.slope_limit(a.settings), judge(a, answer.correspondence),
-                              smoothed(answer.correspondence, options.warp_smoothness).differential_warp);
+                              smoothed(answer.correspondence, other, options).differential_warp);
     return answer;
   } catch (const BadInput& error) {
     diagnostics.note(a.output.path,
@@ -183,34 +184,40 @@ std::string told(const AlignClip& clip, const char* role) {
 }
 
 void add_caption(AlignFigure& figure, const Alignment& a) {
-  std::string text = fmt::format("{} {} Aligned by {} on {} degrees of freedom", told(*a.input, "Input"),
-                                 told(a.output, "Output"), a.method->title, num_compared(a));
+  std::string text = fmt::format("{} {} Aligned by {} on {}", told(*a.input, "Input"), told(a.output, "Output"),
+                                 a.method->title, signals_in_words(a.signals, num_compared(a)));
   if (a.slope_limit > 0.0) {
-    text +=
-        fmt::format(" with a slope limit of {:g}: {:.0f} % of the frames run along it, {:.0f} % after smoothing",
-                    a.slope_limit, 100.0 * align::share_at_slope_limit(a.found.warp.differential_warp, a.slope_limit),
-                    100.0 * align::share_at_slope_limit(a.smoothed.warp.differential_warp, a.slope_limit));
+    const auto share_of = [&](const JudgedWarp& judged) {
+      return 100.0 * align::share_at_slope_limit(judged.warp.differential_warp, a.slope_limit);
+    };
+    text += fmt::format(" with a slope limit of {:g}: {:.0f} % of the frames run along it", a.slope_limit,
+                        share_of(a.found));
+    if (is_smoothed(a)) text += fmt::format(", {:.0f} % after smoothing", share_of(a.smoothed));
   }
   if (a.settings.time.ends != align::Ends::kFixed) {
     text += fmt::format("; found from {:.2f} to {:.2f} s of the output", a.found.warp.output_begin / figure.frame_rate,
                         a.found.warp.output_end() / figure.frame_rate);
   }
-  figure.caption.push_back(text + ".");
+  text += ".";
+  if (figure.compared.title != kEvenTitle) text += fmt::format(" {} compares the same.", figure.compared.title);
+  figure.caption.push_back(text);
   const double ms = 1e3 / figure.frame_rate;
   if (a.found.onsets && a.found.onsets->num_pairs > 0) {
     figure.caption.push_back(fmt::format(
         "Footplants: {} of the {} times a foot comes down in the input are paired with one of {} in the output; mean "
         "error {:.0f} ms, "
-        "largest {:.0f} ms ({:.0f} ms in the mean after smoothing, {:.0f} ms if the input is stretched evenly).",
+        "largest {:.0f} ms ({}{:.0f} ms if the input is stretched evenly).",
         a.found.onsets->num_pairs, a.found.onsets->onsets.size(), a.found.onsets->num_outputs(),
-        a.found.onsets->mean * ms, a.found.onsets->largest * ms, a.smoothed.onsets->mean * ms,
+        a.found.onsets->mean * ms, a.found.onsets->largest * ms,
+        is_smoothed(a) ? fmt::format("{:.0f} ms in the mean after smoothing, ", a.smoothed.onsets->mean * ms) : "",
         a.even.onsets->mean * ms));
   }
   std::string parts =
       "(a) A degree of freedom of both clips, and the input\u2019s curve brought into the output\u2019s time. (b) "
-      "Squared "
-      "distance between frames, in deviations of each degree of freedom, with the paths found. (c) Where the warp puts "
-      "the input; its slope as found (grey) and smoothed (black)";
+      "Squared distance between frames, in deviations of each ";
+  parts += a.signals == SignalSet::kPosture ? "degree of freedom" : "signal, weighted";
+  parts += ", with the paths found. (c) Where the warp puts the input; its slope";
+  if (is_smoothed(a)) parts += " as found (grey) and smoothed (black)";
   const bool has_rings = a.found.onsets && a.found.onsets->num_pairs > 0 && a.found.onsets->onsets.size() <= kMostRings;
   if (has_rings) parts += "; rings: where a left (filled) or right (open) foot comes down in both clips";
   figure.caption.push_back(parts + ".");
@@ -242,7 +249,7 @@ AlignFigure figure_of(const Alignment& a, const AlignOptions& options, Diagnosti
   figure.plants = a.plants;
   figure.no_plants = a.no_plants;
   const AlignAnswer compared = add_compared(figure, a, options, diagnostics);
-  figure.compared_first = compared.seen_input.size() == 0;
+  figure.compared_first = a.answer.seen_input.size() > 0 || compared.seen_input.size() == 0;
   add_curves(figure, a, options.dof);
   add_windows(figure, a, options.window);
   add_maps(figure, a, compared);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "align_report.h"
 
+#include "align_signals.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -29,9 +31,23 @@ std::string onsets_in_words(const Alignment& a) {
   return fmt::format(
       "{:14} {} of the {} times a foot comes down in the input and of the {} in the output paired: {:.0f} ms off in "
       "the "
-      "mean ({:.1f} frames), {:.0f} ms at most; smoothed {:.0f} ms; if stretched evenly {:.0f} ms\n",
+      "mean ({:.1f} frames), {:.0f} ms at most{}; if stretched evenly {:.0f} ms\n",
       "footplants", found.num_pairs, found.onsets.size(), found.num_outputs(), found.mean * ms, found.mean,
-      found.largest * ms, a.smoothed.onsets->mean * ms, a.even.onsets->mean * ms);
+      found.largest * ms, is_smoothed(a) ? fmt::format("; smoothed {:.0f} ms", a.smoothed.onsets->mean * ms) : "",
+      a.even.onsets->mean * ms);
+}
+
+std::string objective_in_words(const Alignment& a) {
+  const std::vector<double>& objective = a.answer.objective;
+  if (!a.method->has_rounds && objective.size() > 1) {
+    return fmt::format("  E falls from {:.4f} to {:.4f} in {} steps\n", objective.front(), objective.back(),
+                       objective.size());
+  }
+  std::string text;
+  for (std::size_t k = 0; k < objective.size(); ++k) {
+    text += fmt::format("  E after round {:2}  {:14.4f}\n", k + 1, objective[k]);
+  }
+  return text;
 }
 
 Json warp_as_json(const Eigen::VectorXd& slope, double slope_limit) {
@@ -105,18 +121,15 @@ std::string clip_in_words(const char* role, const AlignClip& clip) {
 
 std::string alignment_in_words(const Alignment& a, bool with_rounds) {
   std::string text = clip_in_words("output", a.output);
-  text += fmt::format("aligned by {} on {} degrees of freedom\n", a.method->title, num_compared(a));
-  for (std::size_t k = 0; with_rounds && k < a.answer.objective.size(); ++k) {
-    text += fmt::format("  E after round {:2}  {:14.4f}\n", k + 1, a.answer.objective[k]);
-  }
+  text += fmt::format("aligned by {} on {}\n", a.method->title, signals_in_words(a.signals, num_compared(a)));
+  if (with_rounds) text += objective_in_words(a);
   if (a.settings.time.ends != align::Ends::kFixed) {
     const double rate = a.input->motion.frame_rate();
     text += fmt::format("{:14} the input from {:.2f} to {:.2f} s of the output\n", "found",
                         a.found.warp.output_begin / rate, a.found.warp.output_end() / rate);
   }
   text += warp_in_words("warp", a.found.warp.differential_warp, a.slope_limit);
-  if (a.smoothed.warp.differential_warp != a.found.warp.differential_warp)
-    text += warp_in_words("smoothed warp", a.smoothed.warp.differential_warp, a.slope_limit);
+  if (is_smoothed(a)) text += warp_in_words("smoothed warp", a.smoothed.warp.differential_warp, a.slope_limit);
   return text + onsets_in_words(a);
 }
 
@@ -129,7 +142,10 @@ Json clip_as_json(const AlignClip& clip) {
 
 Json alignment_as_json(const Alignment& a) {
   const double rate = a.input->motion.frame_rate();
-  Json json{{"output", clip_as_json(a.output)}, {"method", a.method->name}, {"degrees_of_freedom", num_compared(a)}};
+  Json json{{"output", clip_as_json(a.output)},
+            {"method", a.method->name},
+            {"signals", signals_name(a.signals)},
+            {"degrees_of_freedom", num_compared(a)}};
   if (a.slope_limit > 0.0) json["slope_limit"] = a.slope_limit;
   if (!a.answer.objective.empty()) json["objective"] = a.answer.objective;
   json["output_begin_s"] = a.found.warp.output_begin / rate;

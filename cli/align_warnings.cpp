@@ -35,8 +35,8 @@ void warn_of_limit(const Alignment& a, Diagnostics& warnings) {
   const double share = align::share_at_slope_limit(a.smoothed.warp.differential_warp, a.slope_limit);
   if (share <= kMostAtLimit) return;
   warnings.warn(a.output.path,
-                fmt::format("the warp runs along the slope limit {:g} for {:.0f} % of the frames even after smoothing",
-                            a.slope_limit, 100.0 * share),
+                fmt::format("the warp runs along the slope limit {:g} for {:.0f} % of the frames{}", a.slope_limit,
+                            100.0 * share, is_smoothed(a) ? " even after smoothing" : ""),
                 "the clips may not be of the same content; raise --slope-limit if they are");
 }
 

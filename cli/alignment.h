@@ -24,10 +24,11 @@ namespace strut::cli {
 struct AlignOptions {
   std::string input;
   std::vector<std::string> outputs;
-  int method = 0;  ///< its index in align_methods()
+  std::optional<int> method;   ///< its index in align_methods(); none: default_method
+  std::optional<int> signals;  ///< a SignalSet; none: the method's
   AlignSettings settings;
-  double warp_smoothness = 10.0;     ///< [frames^2]
-  std::vector<std::string> weights;  ///< NAME=X
+  std::optional<double> warp_smoothness;  ///< [frames^2]; none: the method's
+  std::vector<std::string> weights;       ///< NAME=X
   bool shared_units = false;
   FeetOptions feet;
   std::string csv, inverse_csv, plot;
@@ -55,7 +56,8 @@ struct Alignment {
   const AlignClip* input = nullptr;  ///< not owned
   AlignClip output;
   const AlignMethod* method = nullptr;
-  AlignSettings settings{};  ///< with every degree of freedom's weight
+  SignalSet signals = SignalSet::kAll;
+  AlignSettings settings{};  ///< with every signal's weight
   double slope_limit = 0.0;  ///< 0: none
   representation::AlignmentPair features{};
   AlignAnswer answer{};
@@ -68,15 +70,29 @@ struct Alignment {
 /// Reads the clip at `path`. Throws what reading does, and BadInput if it has fewer than two frames.
 AlignClip read_align_clip(const std::string& path, Diagnostics& diagnostics);
 
-/// How many degrees of freedom tell anything.
+/// The method that `options` ask for. Throws InvalidArgument if it cannot do what else they ask for.
+const AlignMethod& method_of(const AlignOptions& options);
+
+/// What `method` is to look at.
+SignalSet signals_of(const AlignOptions& options, const AlignMethod& method);
+
+/// `clip` at the frame rate of `reference`, resampled with a note if it has another. Throws SkeletonMismatch, naming
+/// both.
+void make_comparable(AlignClip& clip, const AlignClip& reference, Diagnostics& diagnostics);
+
+/// How many signals tell anything.
 int num_compared(const Alignment& alignment);
 
 /// Aligns `input` with `output`, which is resampled if its frame rate is another. Throws SkeletonMismatch, and
 /// BadInput, naming the output's file, where there is nothing to align by or no alignment within the limits.
 Alignment align_clips(const AlignClip& input, AlignClip output, const AlignOptions& options, Diagnostics& diagnostics);
 
-/// `warp` with its differential warp smoothed.
-align::Correspondence smoothed(const align::Correspondence& warp, double smoothness);
+/// `warp` with its differential warp smoothed as asked for, or as `method` needs it.
+align::Correspondence smoothed(const align::Correspondence& warp, const AlignMethod& method,
+                               const AlignOptions& options);
+
+/// Whether smoothing changed anything.
+bool is_smoothed(const Alignment& alignment);
 
 /// The same pair aligned by another method, judged in the same way.
 AlignAnswer solve(const Alignment& alignment, const AlignMethod& method);
@@ -84,10 +100,5 @@ JudgedWarp judge(const Alignment& alignment, const align::Correspondence& warp);
 
 /// What is to be doubted of an alignment that was judged; empty if nothing is.
 Diagnostics warnings_of(const Alignment& alignment);
-
-/// The degree of freedom called `name`: its own name or its joint's; then of the joint's the one for which `rank`
-/// (dofs) is highest. Throws InvalidArgument for `option`, with all names, if there is none.
-int find_dof(const std::string& option, const representation::Representation& shape, const std::string& name,
-             const Eigen::VectorXd& rank);
 
 }  // namespace strut::cli

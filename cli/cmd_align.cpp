@@ -3,6 +3,7 @@
 // as a figure.
 #include "align_drawing.h"
 #include "align_report.h"
+#include "align_signals.h"
 #include "alignment.h"
 #include "commands.h"
 #include "input_files.h"
@@ -148,19 +149,30 @@ CLI::Validator draws_svg() {
 void add_method_options(CLI::App& command, AlignOptions& options) {
   const MethodWords methods;
   command
-      .add_option("--method", options.method, methods.descriptions + " (default: " + align_methods().front().name + ")")
+      .add_option("--method", options.method,
+                  fmt::format("{} (default: {}; {} if the ends are open)", methods.descriptions,
+                              default_method(align::Ends::kFixed).name, default_method(align::Ends::kOpen).name))
       ->transform(one_of(methods.numbers).description(""))
       ->type_name(methods.names);
   command
-      .add_option("--slope-limit", options.settings.time.slope_limit,
+      .add_option("--signals", options.signals,
+                  "What is compared: all: posture, how it changes, and how still the feet are; posture: the paper's "
+                  "(default: all for continuous, posture for the others)")
+      ->transform(one_of({{signals_name(SignalSet::kPosture), static_cast<int>(SignalSet::kPosture)},
+                          {signals_name(SignalSet::kAll), static_cast<int>(SignalSet::kAll)}})
+                      .description(""))
+      ->type_name("posture|all");
+  command
+      .add_option("--slope-limit", options.settings.slope_limit,
                   "An input frame covers at most this many output frames and at least one over it, e.g. 1.5; not for "
-                  "dtw1 and dtw3 (default: 2)")
+                  "dtw1 and dtw3 (default: 3 for continuous, 2 for the others)")
       ->check(number_in(1, align::kLargestSlopeLimit).description(""))
       ->type_name("X");
   command
-      .add_option("--resolution", options.settings.time.resolution,
-                  "Parts of an output frame that are told apart; finer is slower and less jagged (default: the slope "
-                  "limit, or what it takes to come near it)")
+      .add_option(
+          "--resolution", options.settings.time.resolution,
+          "Parts of an output frame that imw and timewarp tell apart; finer is slower and less jagged (default: "
+          "the slope limit, or what it takes to come near it)")
       ->check(number_in(1, align::kLargestResolution).description(""))
       ->type_name("N");
   command
@@ -184,16 +196,17 @@ void add_method_options(CLI::App& command, AlignOptions& options) {
   command
       .add_option("--warp-smoothness", options.warp_smoothness,
                   "Smoothing of the differential warp in the last column of the table [frames^2]; 0: none "
-                  "(default: 10)")
+                  "(default: 10, 0 for continuous)")
       ->check(number_in(0, kStiffest).description(""))
       ->type_name("X");
-  command.add_flag("--shared-units", options.shared_units,
-                   "Compare postures as they are, about one mean and in one unit for both clips (default: each clip "
-                   "about its own mean in its own standard deviation, as strut learn does)");
+  command.add_flag(
+      "--shared-units", options.shared_units,
+      "With --signals posture: compare postures as they are, about one mean and in one unit for both clips "
+      "(default: each clip about its own mean in its own standard deviation, as strut learn does)");
   command
       .add_option("--weight", options.weights,
-                  "How much a joint, or a degree of freedom of it, counts: e.g. LeftUpLeg=2, or 0 to leave it out; may "
-                  "be given several times (default: 1 each)")
+                  "How much a joint, or a degree of freedom of it, counts: e.g. LeftUpLeg=2, or 0 to leave it out; "
+                  "feet: how still they are; may be given several times (default: 1 each)")
       ->allow_extra_args(false)
       ->type_name("NAME=X");
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <strut/core/error.h>
@@ -64,9 +66,11 @@ struct Spread {
   }
 };
 
-/// One group of signals of all clips of both styles, and which of its columns count.
+using Clips = std::vector<FrameMatrix>;
+
+/// One group of signals of all clips of all styles, and which of its columns count.
 struct Group {
-  std::vector<FrameMatrix> input, output;
+  std::vector<Clips> styles;
   std::vector<bool> counts;
   double share;
 
@@ -77,52 +81,69 @@ struct Group {
 };
 
 /// A group that counts nothing: of no columns.
-Group nothing(const StyleClips& input, const StyleClips& output) {
-  Group group{{}, {}, {}, 0.0};
-  for (const FrameMatrix& rows : input.rows) group.input.emplace_back(rows.rows(), 0);
-  for (const FrameMatrix& rows : output.rows) group.output.emplace_back(rows.rows(), 0);
+Group nothing(const std::vector<StyleClips>& styles) {
+  Group group{std::vector<Clips>(styles.size()), {}, 0.0};
+  for (std::size_t s = 0; s < styles.size(); ++s) {
+    for (const FrameMatrix& rows : styles[s].rows) group.styles[s].emplace_back(rows.rows(), 0);
+  }
   return group;
 }
 
-/// Divides both styles by their deviations, or by one of both; columns that hardly change in either become zero.
+/// Divides every style by its deviations, or by those of all; columns that hardly change in one become zero.
 void scale(Group& group, double least, StyleUnits units) {
-  const Spread input(group.input), output(group.output);
-  const bool shared = units == StyleUnits::kShared;
-  const Eigen::RowVectorXd pooled =
-      ((input.deviation.array().square() + output.deviation.array().square()) * 0.5).sqrt();
-  Eigen::RowVectorXd of_input = shared ? pooled : input.deviation, of_output = shared ? pooled : output.deviation;
+  std::vector<Eigen::RowVectorXd> deviations;
+  for (const Clips& clips : group.styles) deviations.push_back(Spread(clips).deviation);
+  Eigen::ArrayXd pooled = Eigen::ArrayXd::Zero(deviations.front().size());
+  for (const Eigen::RowVectorXd& own : deviations) pooled += own.transpose().array().square();
+  pooled = (pooled / static_cast<double>(deviations.size())).sqrt();
   for (Index d = 0; d < pooled.size(); ++d) {
-    const bool moves = input.deviation[d] > least && output.deviation[d] > least;
+    const bool moves =
+        std::all_of(deviations.begin(), deviations.end(), [&](const auto& own) { return own[d] > least; });
     group.counts.push_back(moves);
-    of_input[d] = moves ? 1.0 / of_input[d] : 0.0;
-    of_output[d] = moves ? 1.0 / of_output[d] : 0.0;
+    for (Eigen::RowVectorXd& own : deviations) {
+      own[d] = moves ? 1.0 / (units == StyleUnits::kShared ? pooled[d] : own[d]) : 0.0;
+    }
   }
-  for (FrameMatrix& clip : group.input) clip *= of_input.asDiagonal();
-  for (FrameMatrix& clip : group.output) clip *= of_output.asDiagonal();
+  for (std::size_t s = 0; s < deviations.size(); ++s) {
+    for (FrameMatrix& clip : group.styles[s]) clip *= deviations[s].asDiagonal();
+  }
 }
 
-Group posture_of(const StyleClips& input, const StyleClips& output, double share) {
-  const Normalization of_input = fit_normalization(input.rows), of_output = fit_normalization(output.rows);
-  Group group{{}, {}, {}, share};
-  for (const FrameMatrix& rows : input.rows) group.input.push_back(alignment_features(rows, of_input, of_output));
-  for (const FrameMatrix& rows : output.rows) group.output.push_back(alignment_features(rows, of_output, of_input));
-  for (int dof = kHeight; dof < of_input.num_dofs(); ++dof) {
-    group.counts.push_back(of_input.is_kept(dof) && of_output.is_kept(dof));
+Group posture_of(const std::vector<StyleClips>& styles, double share) {
+  Group group{std::vector<Clips>(styles.size()), {}, share};
+  std::vector<Normalization> scalings;
+  for (const StyleClips& style : styles) scalings.push_back(fit_normalization(style.rows));
+  for (int dof = kHeight; dof < scalings.front().num_dofs(); ++dof) {
+    group.counts.push_back(
+        std::all_of(scalings.begin(), scalings.end(), [&](const Normalization& own) { return own.is_kept(dof); }));
+  }
+  for (std::size_t s = 0; s < styles.size(); ++s) {
+    for (const FrameMatrix& rows : styles[s].rows) {
+      FrameMatrix posture = scalings[s].normalize(rows).rightCols(rows.cols() - kHeight);
+      for (Index dof = 0; dof < posture.cols(); ++dof) {
+        if (!group.counts[static_cast<std::size_t>(dof)]) posture.col(dof).setZero();
+      }
+      group.styles[s].push_back(std::move(posture));
+    }
   }
   return group;
 }
 
 Group movement_of(const Group& posture, double frame_rate, double share) {
-  Group group{{}, {}, {}, share};
-  for (const FrameMatrix& clip : posture.input) group.input.push_back(rates_of(clip, frame_rate));
-  for (const FrameMatrix& clip : posture.output) group.output.push_back(rates_of(clip, frame_rate));
+  Group group{std::vector<Clips>(posture.styles.size()), {}, share};
+  for (std::size_t s = 0; s < posture.styles.size(); ++s) {
+    for (const FrameMatrix& clip : posture.styles[s]) group.styles[s].push_back(rates_of(clip, frame_rate));
+  }
   scale(group, kLeastMovement, StyleUnits::kOwn);
   return group;
 }
 
-Group feet_of(const StyleClips& input, const StyleClips& output, double share) {
-  if (input.stillness.empty() || output.stillness.empty()) return nothing(input, output);
-  Group group{input.stillness, output.stillness, {}, share};
+Group feet_of(const std::vector<StyleClips>& styles, double share) {
+  Group group{{}, {}, share};
+  for (const StyleClips& style : styles) {
+    if (style.stillness.empty()) return nothing(styles);
+    group.styles.push_back(style.stillness);
+  }
   scale(group, kLeastStillness, StyleUnits::kShared);
   return group;
 }
@@ -151,6 +172,30 @@ void check(double frame_rate, const FeatureShares& shares) {
     if (share >= 0.0 && std::isfinite(share)) continue;
     throw InvalidArgument("shares", "numbers that are not negative", std::to_string(share));
   }
+}
+
+/// What alignment looks at in every clip of some styles.
+struct StyleFeatures {
+  std::vector<Clips> styles;
+  Eigen::VectorXd weights;
+};
+
+StyleFeatures features_of(const std::vector<StyleClips>& styles, double frame_rate, const FeatureShares& shares) {
+  const Group posture = posture_of(styles, shares.posture);
+  const Group movement = shares.movement > 0.0 ? movement_of(posture, frame_rate, shares.movement) : nothing(styles);
+  const Group feet = shares.feet > 0.0 ? feet_of(styles, shares.feet) : nothing(styles);
+  StyleFeatures features{std::vector<Clips>(styles.size()), {}};
+  for (std::size_t s = 0; s < styles.size(); ++s) {
+    for (std::size_t k = 0; k < styles[s].rows.size(); ++k) {
+      features.styles[s].push_back(beside(posture.styles[s][k], movement.styles[s][k], feet.styles[s][k]));
+    }
+  }
+  std::vector<double> weights;
+  for (const Group* group : {&posture, &movement, &feet}) {
+    for (const bool counts : group->counts) weights.push_back(counts ? group->weight() : 0.0);
+  }
+  features.weights = Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Index>(weights.size()));
+  return features;
 }
 
 }  // namespace
@@ -209,37 +254,33 @@ TimingFeatures timing_features(const StyleClips& input, const StyleClips& output
   check(frame_rate, shares);
   check(input, "input");
   check(output, "output");
-  const Group posture = posture_of(input, output, shares.posture);
-  const Group movement =
-      shares.movement > 0.0 ? movement_of(posture, frame_rate, shares.movement) : nothing(input, output);
-  const Group feet = shares.feet > 0.0 ? feet_of(input, output, shares.feet) : nothing(input, output);
-  TimingFeatures features;
-  for (std::size_t k = 0; k < input.rows.size(); ++k) {
-    features.input.push_back(beside(posture.input[k], movement.input[k], feet.input[k]));
-  }
-  for (std::size_t k = 0; k < output.rows.size(); ++k) {
-    features.output.push_back(beside(posture.output[k], movement.output[k], feet.output[k]));
-  }
-  std::vector<double> weights;
-  for (const Group* group : {&posture, &movement, &feet}) {
-    for (const bool counts : group->counts) weights.push_back(counts ? group->weight() : 0.0);
-  }
-  features.weights = Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Index>(weights.size()));
-  return features;
+  StyleFeatures features = features_of({input, output}, frame_rate, shares);
+  return {std::move(features.styles.front()), std::move(features.styles.back()), std::move(features.weights)};
 }
 
 TimingPair timing_features(const Motion& input, const Motion& output, const FeatureShares& shares) {
-  const Eigen::Quaterniond upright = motion::upright_reference(input);
-  const auto of_input = fit_representation({input}, upright), of_output = fit_representation({output}, upright);
-  check_skeleton(of_input, output.skeleton());
-  StyleClips inputs{{encode(of_input, input)}, {}}, outputs{{encode(of_output, output)}, {}};
-  const auto legs = motion::find_legs(input);
-  if (legs) {
-    inputs.stillness.push_back(foot_stillness(input, *legs));
-    outputs.stillness.push_back(foot_stillness(output, *legs));
+  TimingGroup group = timing_features(std::vector{input, output}, motion::find_legs(input), shares);
+  return {std::move(group.clips.front()), std::move(group.clips.back()), std::move(group.weights)};
+}
+
+TimingGroup timing_features(const std::vector<Motion>& motions, const std::optional<motion::Legs>& legs,
+                            const FeatureShares& shares) {
+  if (motions.empty()) throw InvalidArgument("motions", "at least one", "none");
+  const Motion& first = motions.front();
+  check(first.frame_rate(), shares);
+  const Eigen::Quaterniond upright = motion::upright_reference(first);
+  const auto of_first = fit_representation({first}, upright);
+  std::vector<StyleClips> styles;
+  for (const Motion& motion : motions) {
+    check_skeleton(of_first, motion.skeleton());
+    const auto own = fit_representation({motion}, upright);
+    styles.push_back({{encode(own, motion)}, {}});
+    if (legs) styles.back().stillness.push_back(foot_stillness(motion, *legs));
   }
-  TimingFeatures features = timing_features(inputs, outputs, input.frame_rate(), shares);
-  return {std::move(features.input.front()), std::move(features.output.front()), std::move(features.weights)};
+  StyleFeatures features = features_of(styles, first.frame_rate(), shares);
+  TimingGroup group{{}, std::move(features.weights)};
+  for (Clips& clips : features.styles) group.clips.push_back(std::move(clips.front()));
+  return group;
 }
 
 }  // namespace strut::representation

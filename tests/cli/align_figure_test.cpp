@@ -52,7 +52,8 @@ TEST(XmlError, FindsWhatIsNotWellFormed) {
 }
 
 TEST_F(AlignFigure, HoldsEveryPart) {
-  const std::string svg = figure(clip("walk & run.bvh", 1.0), clip("slow.bvh", 0.8), {"--dof", "leftupleg"});
+  const std::string svg =
+      figure(clip("walk & run.bvh", 1.0), clip("slow.bvh", 0.8), {"--dof", "leftupleg", "--method", "imw"});
   EXPECT_EQ(xml_error(svg), "");
   for (const char* text : {"Correspondence by IMW", "Time-warped by DTW, Type I", "Time-warped by IMW", "LeftUpLeg x",
                            "[degrees]", "walk &amp; run.bvh", "Distance of the clips", "spatial warp of the input",
@@ -89,6 +90,17 @@ TEST_F(AlignFigure, ComparesEveryMethodWithAnother) {
     EXPECT_LT(svg.find(std::string("Time-warped by ") + title), svg.find("Time-warped by IMW"));
     EXPECT_EQ(svg.find("slope limit") != std::string::npos, std::string(method) != "dtw1");
   }
+}
+
+TEST_F(AlignFigure, ShowsTheContinuousWarpAfterIterativeMotionWarpingOfTheSameSignals) {
+  const std::string svg = figure(clip("walk.bvh", 1.0), clip("slow.bvh", 0.8));
+  EXPECT_EQ(xml_error(svg), "");
+  for (const char* text : {"Correspondence by continuous warp", "slope limit 3",
+                           "signals of posture, movement and feet", "IMW compares the same."}) {
+    EXPECT_TRUE(has(svg, text)) << text;
+  }
+  EXPECT_FALSE(has(svg, "smoothed (black)"));
+  EXPECT_LT(svg.find("Time-warped by IMW"), svg.find("Time-warped by continuous warp"));
 }
 
 TEST_F(AlignFigure, GivesTheErrorsOfTheReport) {

@@ -3,9 +3,11 @@
 #include "support/data.h"
 #include "support/program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <string>
@@ -15,6 +17,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <strut/align/continuous_warp.h>
 #include <strut/align/correspondence.h>
 #include <strut/align/iterative_motion_warping.h>
 #include <strut/core/error.h>
@@ -59,7 +62,7 @@ Json json_of(const ProgramResult& result) {
 }
 
 TEST_F(Align, PrintsEAfterEveryRoundAndTheDurations) {
-  const ProgramResult result = align({clip("walk.bvh", 1.0), clip("slow.bvh", 0.8)});
+  const ProgramResult result = align({clip("walk.bvh", 1.0), clip("slow.bvh", 0.8), "--method", "imw"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("E after round  1"));
   EXPECT_THAT(result.out, HasSubstr("2.00 s"));
@@ -70,7 +73,7 @@ TEST_F(Align, PrintsEAfterEveryRoundAndTheDurations) {
 TEST_F(Align, WritesATableWhoseTimesRise) {
   const std::string table = folder_.file("table.csv");
   const std::string input = clip("walk.bvh", 1.0), output = clip("slow.bvh", 0.8);
-  for (const char* method : {"imw", "dtw1", "dtw3", "timewarp"}) {
+  for (const char* method : {"continuous", "imw", "dtw1", "dtw3", "timewarp"}) {
     const ProgramResult result = align({input, output, "--method", method, "--csv", table, "--force"});
     ASSERT_EQ(result.exit_code, 0) << method << ": " << result.err;
     std::istringstream lines(read_file(table));
@@ -90,9 +93,10 @@ TEST_F(Align, WritesATableWhoseTimesRise) {
   }
 }
 
-TEST_F(Align, SaysWhatTheLibrarySays) {
+TEST_F(Align, SaysWhatTheLibrarySaysOfIterativeMotionWarping) {
   const std::string input = clip("walk.bvh", 1.0), output = clip("slow.bvh", 0.8), table = folder_.file("table.csv");
-  const Json told = json_of(align({input, output, "--csv", table, "--json", "--warp-smoothness", "4"}));
+  const Json told =
+      json_of(align({input, output, "--csv", table, "--json", "--warp-smoothness", "4", "--method", "imw"}));
   const auto [u, y] = representation::alignment_features(read_bvh(input).motion, read_bvh(output).motion);
   const auto expected = align::iterative_motion_warping(u, y);
   const Eigen::VectorXd& slope = expected.correspondence.differential_warp;
@@ -111,6 +115,88 @@ TEST_F(Align, SaysWhatTheLibrarySays) {
   EXPECT_DOUBLE_EQ(found.at("objective").back(), expected.objective.back());
   EXPECT_DOUBLE_EQ(found.at("warp").at("most"), slope.maxCoeff());
   EXPECT_DOUBLE_EQ(found.at("smoothed_warp").at("share_at_slope_limit"), align::share_at_slope_limit(smoothed, 2.0));
+}
+
+TEST_F(Align, IsContinuousUnlessAsked) {
+  const std::string input = clip("walk.bvh", 1.0, 4.0), output = clip("slow.bvh", 0.8, 4.0);
+  const std::string table = folder_.file("table.csv");
+  const Json told = json_of(align({input, output, "--csv", table, "--json"})).at("alignments").at(0);
+  EXPECT_EQ(told.at("method"), "continuous");
+  EXPECT_EQ(told.at("signals"), "all");
+  EXPECT_DOUBLE_EQ(told.at("slope_limit"), 3.0);
+  const auto [u, y, weights] = representation::timing_features(read_bvh(input).motion, read_bvh(output).motion);
+  align::ContinuousWarpOptions options;
+  options.weights = weights;
+  const auto expected = align::continuous_warp(u, y, 30.0, options).correspondence;
+  const auto columns = columns_of(table);
+  const std::vector<double>& place = columns.at("output_frame");
+  for (std::size_t t = 0; t < place.size(); ++t) {
+    EXPECT_NEAR(columns.at("differential_warp")[t], expected.differential_warp[static_cast<Eigen::Index>(t)], kPrinted);
+  }
+  EXPECT_EQ(std::adjacent_find(place.begin(), place.end(), std::greater_equal<>()), place.end());
+  EXPECT_EQ(columns.at("smoothed_differential_warp"), columns.at("differential_warp"));
+}
+
+TEST_F(Align, IsNearerToTheTruthByTheContinuousWarpAndPutsFootplantsNoWorse) {
+  constexpr double kDetectorStep = 0.5 / 30.0;  // footplants are found in whole frames [s]
+  generate::WalkContent content;
+  content.duration = 4.0;
+  generate::WalkStyle crouch;
+  crouch.crouch = 0.2;
+  crouch.cadence_scale = 0.8;
+  crouch.seed = 2;
+  const generate::Walk walk = generate::generate_walk(content, {}, 30.0);
+  const generate::Walk other = generate::generate_walk(content, crouch, 30.0);
+  const std::vector<double> truth = generate::true_correspondence(walk, other);
+  const std::string input = write("walk.bvh", walk.motion), output = write("crouch.bvh", other.motion);
+  const std::string table = folder_.file("table.csv");
+  std::map<std::string, double> error, off;
+  for (const char* method : {"continuous", "imw"}) {
+    const Json told = json_of(align({input, output, "--method", method, "--csv", table, "--force", "--json"}));
+    off[method] = told.at("alignments").at(0).at("footplants").at("mean_error_s");
+    const std::vector<double> place = columns_of(table).at("output_frame");
+    for (std::size_t t = 0; t < truth.size(); ++t) error[method] += std::abs(place[t] - truth[t]);
+  }
+  EXPECT_LT(error["continuous"], error["imw"]);
+  EXPECT_LT(off["continuous"], off["imw"] + kDetectorStep);
+}
+
+TEST_F(Align, ComparesTheSignalsAskedForByEveryMethod) {
+  const std::string walk = clip("walk.bvh", 1.0, 4.0), slow = clip("slow.bvh", 0.8, 4.0);
+  for (const char* method : {"continuous", "imw", "dtw1", "dtw3", "timewarp"}) {
+    const auto told = [&](const std::string& signals) {
+      return json_of(align({walk, slow, "--method", method, "--signals", signals, "--csv",
+                            folder_.file(signals + ".csv"), "--force", "--json"}))
+          .at("alignments")
+          .at(0);
+    };
+    const Json posture = told("posture"), all = told("all");
+    EXPECT_EQ(posture.at("signals"), "posture");
+    const int feet = all.at("degrees_of_freedom").get<int>() - 2 * posture.at("degrees_of_freedom").get<int>();
+    EXPECT_EQ(feet, 2) << method;  // posture, as many of movement, two feet
+    EXPECT_NE(read_file(folder_.file("posture.csv")), read_file(folder_.file("all.csv"))) << method;
+  }
+  EXPECT_EQ(align({walk, slow, "--signals", "posture", "--shared-units"}).exit_code, 0);
+  const ProgramResult shared = align({walk, slow, "--shared-units"});
+  EXPECT_EQ(shared.exit_code, 1);
+  EXPECT_THAT(shared.err, HasSubstr("--shared-units: expected --signals posture beside it"));
+  const ProgramResult rigid = align({walk, slow, "--slope-limit", "1"});
+  EXPECT_EQ(rigid.exit_code, 1);
+  EXPECT_THAT(rigid.err, HasSubstr("--slope-limit: expected a number above 1 with --method continuous"));
+}
+
+TEST_F(Align, WeighsAJointsMovementWithItAndFeetByName) {
+  const std::string walk = clip("walk.bvh", 1.0), slow = clip("slow.bvh", 0.8);
+  const auto num_signals = [&](std::vector<std::string> weights) {
+    weights.insert(weights.begin(), {walk, slow, "--json"});
+    return json_of(align(weights)).at("alignments").at(0).at("degrees_of_freedom").get<int>();
+  };
+  const int all = num_signals({});
+  const int less = num_signals({"--weight", "LeftLeg x=0"});
+  EXPECT_EQ(all - less, 2);
+  EXPECT_EQ(all - num_signals({"--weight", "feet=0"}), 2);
+  EXPECT_EQ(all - num_signals({"--weight", "feet=0", "--weight", "LeftLeg x=0"}), 4);
+  EXPECT_EQ(align({walk, slow, "--method", "imw", "--weight", "feet=0"}).exit_code, 1);  // by posture: no such joint
 }
 
 /// When each foot comes down, in frames.
@@ -235,10 +321,13 @@ TEST_F(Align, WeighsJoints) {
 
 TEST_F(Align, RefusesWhatItCannotDoAndWritesNothing) {
   const std::string table = folder_.file("table.csv"), plot = folder_.file("plot.svg");
-  const std::string walk = clip("walk.bvh", 1.0), brief = clip("brief.bvh", 1.0, 0.7);
+  const std::string walk = clip("walk.bvh", 1.0), brief = clip("brief.bvh", 1.0, 0.6);
   const ProgramResult lengths = align({walk, brief, "--csv", table});
   EXPECT_EQ(lengths.exit_code, 3);
-  EXPECT_THAT(lengths.err, testing::ContainsRegex("slope limit of [23]"));
+  EXPECT_THAT(lengths.err, HasSubstr("allow a larger slope limit"));
+  const ProgramResult counted = align({walk, brief, "--method", "imw", "--csv", table});
+  EXPECT_EQ(counted.exit_code, 3);
+  EXPECT_THAT(counted.err, testing::ContainsRegex("slope limit of [34]"));
   const ProgramResult dof = align({walk, walk, "--csv", table, "--plot", plot, "--dof", "tail"});
   EXPECT_EQ(dof.exit_code, 1);
   EXPECT_THAT(dof.err, testing::AllOf(HasSubstr("'tail'"), HasSubstr("LeftUpLeg x")));
@@ -253,7 +342,7 @@ TEST_F(Align, RefusesWhatItCannotDoAndWritesNothing) {
 TEST_F(Align, RefusesAClipInWhichNothingMoves) {
   const std::string walk = clip("walk.bvh", 1.0), still_clip = still("still.bvh", walk, 60);
   for (const auto& clips : {std::vector{walk, still_clip}, std::vector{still_clip, walk}}) {
-    for (const char* method : {"imw", "dtw1", "timewarp"}) {
+    for (const char* method : {"continuous", "imw", "dtw1", "timewarp"}) {
       const ProgramResult result = align({clips[0], clips[1], "--method", method});
       EXPECT_EQ(result.exit_code, 3) << method;
       EXPECT_THAT(result.err, HasSubstr("still.bvh: error: nothing moves in it")) << method;
@@ -271,10 +360,13 @@ TEST_F(Align, WarnsOfClipsShorterThanAGaitCycle) {
 
 TEST_F(Align, WarnsOfLengthsThatLeaveNoChoice) {
   const std::string walk = clip("walk.bvh", 1.0, 4.0);
-  const std::string half = beginning("half.bvh", walk, read_bvh(walk).motion.num_frames() / 2 + 1);
-  const ProgramResult result = align({half, walk});
-  EXPECT_THAT(result.err, HasSubstr("times as long as the other: a slope limit of 2 leaves the warp hardly a choice"));
-  EXPECT_THAT(align({half, walk, "--slope-limit", "4"}).err, Not(HasSubstr("hardly a choice")));
+  for (const int limit : {2, 3}) {
+    const std::string part = beginning("part.bvh", walk, read_bvh(walk).motion.num_frames() / limit + 1);
+    const ProgramResult result = align({part, walk, "--method", limit == 2 ? "imw" : "continuous"});
+    EXPECT_THAT(result.err, HasSubstr("times as long as the other: a slope limit of " + std::to_string(limit) +
+                                      " leaves the warp hardly a choice"));
+  }
+  EXPECT_THAT(align({folder_.file("part.bvh"), walk, "--slope-limit", "6"}).err, Not(HasSubstr("hardly a choice")));
 }
 
 TEST_F(Align, WarnsWhereDynamicTimeWarpingStandsStill) {
@@ -288,7 +380,8 @@ TEST_F(Align, WarnsWhereDynamicTimeWarpingStandsStill) {
 TEST_F(Align, TakesAnySlopeLimitAndResolution) {
   const std::string walk = clip("walk.bvh", 1.0), slow = clip("slow.bvh", 0.8);
   const std::string table = folder_.file("table.csv");
-  const Json told = json_of(align({walk, slow, "--slope-limit", "1.6", "--resolution", "8", "--csv", table, "--json"}))
+  const Json told = json_of(align({walk, slow, "--method", "imw", "--slope-limit", "1.6", "--resolution", "8", "--csv",
+                                   table, "--json"}))
                         .at("alignments")
                         .at(0);
   EXPECT_DOUBLE_EQ(told.at("slope_limit"), 1.6);
@@ -325,11 +418,14 @@ TEST_F(Align, FindsAShortClipInsideALongOne) {
   for (std::size_t k = 0; k < back.at("frame").size(); ++k) {
     EXPECT_NEAR(back.at("input_frame")[k], back.at("frame")[k] - 20.0, 1.0);
   }
+  EXPECT_EQ(told.at("method"), "imw");  // the continuous warp cannot
   const ProgramResult told_as_text = align({part, walk, "--ends", "open"});
   EXPECT_THAT(told_as_text.out, HasSubstr("of the output"));
-  const ProgramResult dtw = align({part, walk, "--ends", "open", "--method", "dtw1"});
-  EXPECT_EQ(dtw.exit_code, 1);
-  EXPECT_THAT(dtw.err, HasSubstr("--ends: expected fixed with --method dtw1"));
+  for (const std::string method : {"continuous", "dtw1"}) {
+    const ProgramResult refused = align({part, walk, "--ends", "open", "--method", method});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_THAT(refused.err, HasSubstr("--ends: expected fixed with --method " + method));
+  }
 }
 
 TEST_F(Align, WarnsWhereAClipFitsAtSeveralPlaces) {

@@ -100,6 +100,33 @@ TEST(TimingFeatures, ShareTheWeightOfEachGroup) {
   }
 }
 
+TEST(TimingFeatures, OfAGroupAreInTheUnitsOfEachMotion) {
+  generate::WalkStyle brisk;
+  brisk.cadence_scale = 1.2;
+  const std::vector<Motion> motions{walk({}).motion, walk(crouch()).motion, walk(brisk).motion};
+  const auto legs = motion::find_legs(motions.front());
+  const TimingGroup group = timing_features(motions, legs);
+  ASSERT_EQ(group.clips.size(), 3U);
+  const TimingPair pair = timing_features(motions[0], motions[1]);
+  ASSERT_EQ(group.clips[0].cols(), pair.input.cols());
+  const Eigen::Index dofs = (pair.input.cols() - 2) / 2;
+  for (Eigen::Index d = 0; d < 2 * dofs; ++d) {  // all but the feet, which are in one unit for all
+    if (group.weights[d] == 0.0) continue;
+    EXPECT_EQ(group.clips[0].col(d), pair.input.col(d)) << d;
+    EXPECT_EQ(group.clips[1].col(d), pair.output.col(d)) << d;
+  }
+  EXPECT_EQ(timing_features(motions, std::nullopt).weights.size(), 2 * dofs);
+  EXPECT_THROW(timing_features(std::vector<Motion>{}, legs), InvalidArgument);
+}
+
+TEST(TimingFeatures, OfAGroupLeaveOutWhatIsStillInOneOfThem) {
+  const Motion moving = walk({}).motion;
+  const Motion still(moving.shared_skeleton(), 30.0, std::vector<Pose>(20, moving.frames().front()));
+  const TimingGroup group = timing_features({moving, walk(crouch()).motion, still}, motion::find_legs(moving));
+  EXPECT_TRUE(group.weights.isZero(0.0));
+  for (const FrameMatrix& clip : group.clips) EXPECT_TRUE(clip.isZero(0.0));
+}
+
 TEST(TimingFeatures, OfPostureAloneAreTheAlignmentFeatures) {
   const Motion input = walk({}).motion, output = walk(crouch()).motion;
   const TimingPair timing = timing_features(input, output, {1.0, 0.0, 0.0});

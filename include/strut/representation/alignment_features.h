@@ -4,6 +4,7 @@
 // signals can be looked at beside it: how posture changes, and how still the feet are.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -76,5 +77,18 @@ struct TimingPair {
 /// The same of two motions that are all there is of their styles, of one hierarchy and one frame rate.
 /// Throws InvalidArgument if one has no frame, SkeletonMismatch if the hierarchies differ. Cost O(frames x joints).
 TimingPair timing_features(const Motion& input, const Motion& output, const FeatureShares& shares = {});
+
+/// The same of several motions, each all there is of its style.
+struct TimingGroup {
+  std::vector<FrameMatrix> clips;  ///< of every motion (frames x dofs)
+  Eigen::VectorXd weights;         ///< what each degree of freedom counts, >= 0 (dofs)
+};
+
+/// The same of any number of motions, for align_group (groupwise.h): a degree of freedom counts if it changes in all of
+/// them. `legs`: of all; none leaves the feet out. Columns: the degrees of freedom of alignment_features, their
+/// movement, the two feet. Throws InvalidArgument if there is no motion or one has no frame, SkeletonMismatch if the
+/// hierarchies differ. Cost O(frames x joints).
+TimingGroup timing_features(const std::vector<Motion>& motions, const std::optional<motion::Legs>& legs,
+                            const FeatureShares& shares = {});
 
 }  // namespace strut::representation
