@@ -15,8 +15,6 @@
 #include <strut/postprocess/footplant_detector.h>
 
 namespace strut::cli {
-namespace {
-
 std::optional<std::vector<motion::Footplant>> plants_of(const AlignClip& clip, const FeetOptions& feet,
                                                         std::string& missing) {
   if (feet.left.empty() && !motion::find_legs(clip.motion)) {
@@ -25,8 +23,6 @@ std::optional<std::vector<motion::Footplant>> plants_of(const AlignClip& clip, c
   }
   return postprocess::detect_footplants(clip.motion, legs_of(clip.path, clip.motion, feet));
 }
-
-}  // namespace
 
 AlignClip read_align_clip(const std::string& path, Diagnostics& diagnostics) {
   Motion motion = read_bvh(path, {}, &diagnostics).motion;

@@ -14,6 +14,7 @@
 
 #include <strut/align/correspondence.h>
 #include <strut/core/diagnostics.h>
+#include <strut/motion/annotation.h>
 #include <strut/motion/motion.h>
 #include <strut/representation/alignment_features.h>
 #include <strut/representation/representation.h>
@@ -35,6 +36,7 @@ struct AlignOptions {
   int figure = 0;  ///< a FigurePart
   std::string dof;
   std::optional<Span> window;  ///< of the input that is drawn [s]
+  bool groupwise = false;
   bool json = false, force = false;
 };
 
@@ -79,6 +81,11 @@ SignalSet signals_of(const AlignOptions& options, const AlignMethod& method);
 /// `clip` at the frame rate of `reference`, resampled with a note if it has another. Throws SkeletonMismatch, naming
 /// both.
 void make_comparable(AlignClip& clip, const AlignClip& reference, Diagnostics& diagnostics);
+
+/// When `clip`'s feet are planted; nothing, and why in `missing`, for a body without two legs. Throws BadInput if it
+/// has not the feet that were named.
+std::optional<std::vector<motion::Footplant>> plants_of(const AlignClip& clip, const FeetOptions& feet,
+                                                        std::string& missing);
 
 /// How many signals tell anything.
 int num_compared(const Alignment& alignment);

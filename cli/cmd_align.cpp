@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// strut align: which moment of a clip belongs to which moment of others of the same content, as a report, as tables and
-// as a figure.
+// strut align: which moment of a clip belongs to which moment of others of the same content, or of all to a common
+// timeline, as a report, as tables and as a figure.
 #include "align_drawing.h"
 #include "align_report.h"
 #include "align_signals.h"
 #include "alignment.h"
 #include "commands.h"
+#include "group_alignment.h"
 #include "input_files.h"
 #include "terminal.h"
 #include "usage.h"
@@ -33,20 +34,20 @@ constexpr double kStiffest = 1e12;  // far beyond rigid, and squares of it are s
 /// A file to write for every output clip.
 class ResultFiles {
  public:
-  /// `target`: a file; for several clips, or with a slash at its end, a folder in which every clip gets a file of its
+  /// `target`: a file; for several `clips`, or with a slash at its end, a folder in which every clip gets a file of its
   /// own name with `ending`; empty: nothing.
   /// Refuses what cannot be written. `others`: files that must not be overwritten.
-  ResultFiles(const std::string& target, const AlignOptions& options, const std::string& ending,
-              const std::vector<std::string>& others) {
+  ResultFiles(const std::string& target, const std::vector<std::string>& clips, const std::string& ending,
+              const std::vector<std::string>& others, Overwrite overwrite) {
     if (target.empty()) return;
     std::error_code missing;
-    const bool is_folder = options.outputs.size() > 1 || target.back() == '/';
+    const bool is_folder = clips.size() > 1 || target.back() == '/';
     if (is_folder && !std::filesystem::is_directory(target, missing)) {
       throw FileError(FileAction::kWrite, target, "not a folder, which is needed for files of several clips",
                       "make a folder of this name first");
     }
     std::map<std::string, std::string> writers;
-    for (const std::string& clip : options.outputs) {
+    for (const std::string& clip : clips) {
       const std::string stem = std::filesystem::path(clip).stem().string();
       paths_.push_back(is_folder ? (std::filesystem::path(target) / (stem + ending)).string() : target);
       const auto [first, is_new] = writers.try_emplace(paths_.back(), clip);
@@ -55,7 +56,7 @@ class ResultFiles {
                         "two clips would be written to it: " + first->second + " and " + clip,
                         "align clips of one name apart");
       }
-      check_output(paths_.back(), others, overwrite_if(options.force));
+      check_output(paths_.back(), others, overwrite);
     }
   }
 
@@ -83,11 +84,18 @@ struct Report {
   nlohmann::ordered_json json;
 };
 
+void print(const Report& report, bool as_json) {
+  using Json = nlohmann::ordered_json;
+  fmt::print("{}", as_json ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : report.text);
+}
+
 void run(const AlignOptions& options) {
   const std::vector<std::string> clips = with(options.outputs, {options.input});
-  ResultFiles tables(options.csv, options, ".csv", clips);
-  ResultFiles inverses(options.inverse_csv, options, ".inverse.csv", with(clips, tables.paths()));
-  ResultFiles plots(options.plot, options, ".svg", with(with(clips, tables.paths()), inverses.paths()));
+  const Overwrite overwrite = overwrite_if(options.force);
+  ResultFiles tables(options.csv, options.outputs, ".csv", clips, overwrite);
+  ResultFiles inverses(options.inverse_csv, options.outputs, ".inverse.csv", with(clips, tables.paths()), overwrite);
+  ResultFiles plots(options.plot, options.outputs, ".svg", with(with(clips, tables.paths()), inverses.paths()),
+                    overwrite);
   PrintedDiagnostics diagnostics;
   const AlignClip input = read_align_clip(options.input, diagnostics);
   ProgressLine progress("strut align");
@@ -104,9 +112,25 @@ void run(const AlignOptions& options) {
     report.text += alignment_in_words(a, options.outputs.size() == 1);
     report.json["alignments"].push_back(alignment_as_json(a));
   }
-  for (const ResultFiles* files : {&tables, &inverses, &plots}) files->write(overwrite_if(options.force));
-  using Json = nlohmann::ordered_json;
-  fmt::print("{}", options.json ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : report.text);
+  for (const ResultFiles* files : {&tables, &inverses, &plots}) files->write(overwrite);
+  print(report, options.json);
+}
+
+void run_groupwise(const AlignOptions& options) {
+  const std::vector<std::string> paths = with({options.input}, options.outputs);
+  const Overwrite overwrite = overwrite_if(options.force);
+  ResultFiles tables(options.csv, paths, ".csv", paths, overwrite);
+  ResultFiles inverses(options.inverse_csv, paths, ".inverse.csv", with(paths, tables.paths()), overwrite);
+  PrintedDiagnostics diagnostics;
+  std::vector<AlignClip> clips;
+  for (const std::string& path : paths) clips.push_back(read_align_clip(path, diagnostics));
+  const GroupAlignment group = align_clips_groupwise(std::move(clips), options, diagnostics);
+  for (std::size_t k = 0; k < group.clips.size(); ++k) {
+    if (tables.is_wanted()) tables.keep(group_table(group, k));
+    if (inverses.is_wanted()) inverses.keep(group_inverse_table(group, k));
+  }
+  for (const ResultFiles* files : {&tables, &inverses}) files->write(overwrite);
+  print({group_in_words(group), group_as_json(group)}, options.json);
 }
 
 // ---- the options ----------------------------------------------------------------------------------------------------
@@ -265,15 +289,21 @@ void add_align(CLI::App& app) {
       ->type_name("INPUT");
   command
       ->add_option("output", options->outputs,
-                   "BVH files of the same hierarchy: the clips in whose time they are placed, each by itself")
+                   "BVH files of the same hierarchy: the clips in whose time they are placed, each by itself; with "
+                   "--groupwise the others of the group")
       ->required()
       ->type_name("OUTPUT");
+  command->add_flag(
+      "--groupwise", options->groupwise,
+      "Align all clips, INPUT among them, with a common timeline that none of them sets; --csv and "
+      "--inverse-csv then name folders for a table of each clip: timeline frame, time [s], clip frame, clip "
+      "time [s], differential warp; not with --plot (default: each OUTPUT by itself)");
   add_method_options(*command, *options);
   add_result_options(*command, *options);
   add_feet_option(*command, options->feet);
   command->add_flag("--json", options->json, "Print JSON, times in seconds (default: text)");
   command->add_flag("--force", options->force, "Overwrite files that exist (default: refuse)");
-  command->callback([options] { run(*options); });
+  command->callback([options] { options->groupwise ? run_groupwise(*options) : run(*options); });
 }
 
 }  // namespace strut::cli

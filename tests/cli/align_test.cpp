@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/align_clips.h"
+#include "cli/csv_columns.h"
 #include "support/data.h"
 #include "support/program.h"
 
@@ -37,24 +38,6 @@ using Json = nlohmann::json;
 constexpr double kPrinted = 1e-6;  // tables have six decimals
 
 class Align : public AlignClips {};
-
-/// A table's columns by name.
-std::map<std::string, std::vector<double>> columns_of(const std::string& path) {
-  std::istringstream lines(read_file(path));
-  std::string line, field;
-  std::vector<std::string> names;
-  std::getline(lines, line);
-  for (std::istringstream fields(line); std::getline(fields, field, ',');) names.push_back(field);
-  std::map<std::string, std::vector<double>> columns;
-  while (std::getline(lines, line)) {
-    std::istringstream fields(line);
-    for (const std::string& name : names) {
-      std::getline(fields, field, ',');
-      columns[name].push_back(std::strtod(field.c_str(), nullptr));
-    }
-  }
-  return columns;
-}
 
 Json json_of(const ProgramResult& result) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
