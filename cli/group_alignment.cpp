@@ -151,10 +151,12 @@ GroupAlignment align_clips_groupwise(std::vector<AlignClip> clips, const AlignOp
   group.found = found_by(group, signals, options.settings, options);
   add_onsets(group, options.feet);
   if (!group.found.converged) {
-    diagnostics.warn("timeline",
-                     fmt::format("a moment still moved by {:.2f} frames in the last of {} rounds", group.found.moved,
-                                 group.found.spread.size()),
-                     "the clips may not be of the same content");
+    diagnostics.warn(
+        "timeline",
+        fmt::format(
+            "a moment still moved by {:.2f} frames in the last of {} rounds; the round of least spread is given",
+            group.found.moved, group.found.spread.size()),
+        "the clips may not be of the same content");
   }
   return group;
 }

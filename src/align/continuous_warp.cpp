@@ -332,8 +332,10 @@ class Refinement {
 void check_lengths(Index m, Index n, double limit) {
   const double even = static_cast<double>(n) / static_cast<double>(m);
   if (even <= limit * (1.0 + kNoChoice) && even * limit >= 1.0 - kNoChoice) return;
+  const auto frames = static_cast<double>(m);
   throw InvalidArgument("output",
-                        "between 1/" + std::to_string(limit) + " and " + std::to_string(limit) + " times the input's " +
+                        std::to_string(std::llround(std::ceil(frames / limit))) + " to " +
+                            std::to_string(std::llround(std::floor(frames * limit))) + " frames for an input of " +
                             std::to_string(m) + " frames",
                         std::to_string(n) + " frames", "allow a larger slope limit or trim the longer one");
 }
