@@ -19,6 +19,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Json = nlohmann::ordered_json;
 
+constexpr int kMostRounds = 24;         // smooth curves settle later than counts: 7 to 17 rounds on recorded clips
 constexpr double kPlainlyLess = 0.999;  // of a spread: what figures in words show
 
 /// The options that only go with two clips.
@@ -51,6 +52,7 @@ align::GroupAlignment found_by(const GroupAlignment& group, const AlignSignals& 
   settings.frame_rate = group.frame_rate();
   const AlignMethod& method = *group.method;
   align::GroupOptions how;
+  how.max_rounds = kMostRounds;
   how.aligner = [&](const Eigen::Ref<const FrameMatrix>& input, const Eigen::Ref<const FrameMatrix>& output) {
     return smoothed(method.solve({input, output}, settings).correspondence, method, options);
   };
