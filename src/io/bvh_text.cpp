@@ -65,8 +65,7 @@ void BvhCursor::check_encoding() {
     fail_with(0, "text in ASCII or UTF-8", "UTF-16", "save the file as plain text");
   }
   if (text_.substr(0, kLookedAt).find('\0') != text_.npos) {
-    fail_with(0, "a BVH file, which is text", "bytes that are none",
-              "strut info tells what is in a model; other programs' files must be converted to BVH");
+    fail_with(0, "a BVH file, which is text", "a binary file, as models are");
   }
   if (text_.substr(0, kUtf8Mark.size()) == kUtf8Mark) position_ = kUtf8Mark.size();
 }

@@ -56,7 +56,7 @@ TEST_F(BlendCommand, LearnsShowsAndMakes) {
   EXPECT_THAT(here_.run(STRUT_PROGRAM, {"info", "--json", "@gaits"}).out, HasSubstr("\"kind\": \"gait model\""));
   const ProgramResult confused = here_.run(STRUT_PROGRAM, {"align", "@gaits", "@plain_slow.bvh"});
   EXPECT_EQ(confused.exit_code, 3);
-  EXPECT_THAT(confused.err, HasSubstr("expected a BVH file, which is text, found bytes that are none"));
+  EXPECT_THAT(confused.err, HasSubstr("expected a BVH file, which is text, found a binary file, as models are"));
   const ProgramResult made = blend(
       {"@gaits", "--style", "plain=0.5", "--style", "low=0.5", "--speed", "1.0", "--seconds", "5", "-o", "@out.bvh"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
