@@ -62,10 +62,11 @@ void add_curves(AlignFigure& figure, const Alignment& a, const std::string& want
                     output = representation::encode(shared, a.output.motion);
   const Eigen::RowVectorXd mean = input.colwise().mean();
   const Eigen::VectorXd movement = (input.rowwise() - mean).colwise().squaredNorm().transpose();
+  // Of a body that is all pelvis, its tilt.
+  const int first = shared.joints().empty() ? representation::kTiltX : representation::kNumRootDofs;
   Eigen::Index most = 0;
-  movement.tail(movement.size() - representation::kNumRootDofs).maxCoeff(&most);
-  const int dof = wanted.empty() ? static_cast<int>(most) + representation::kNumRootDofs
-                                 : find_dof("--dof", shared, wanted, movement);
+  movement.tail(movement.size() - first).maxCoeff(&most);
+  const int dof = wanted.empty() ? static_cast<int>(most) + first : find_dof("--dof", shared, wanted, movement);
   const double scale = is_angle(dof) ? kTurn : 1.0;
   figure.quantity = fmt::format("{} [{}]", shortened(shared.dof_name(dof), 32), unit(dof));
   figure.input_curve = scale * input.col(dof);
