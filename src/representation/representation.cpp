@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include <strut/core/error.h>
 #include <strut/math/rotation.h>
@@ -48,13 +50,19 @@ Eigen::Quaterniond mean_of_joint(const std::vector<Motion>& motions, int joint) 
   return math::mean_rotation(all);
 }
 
+/// Rotations that are of unit length already stay as they are to the bit, so that a file comes back as it was.
+Eigen::Quaterniond unit(const Eigen::Quaterniond& rotation) {
+  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+  return std::abs(rotation.squaredNorm() - 1.0) <= kRounding ? rotation : rotation.normalized();
+}
+
 }  // namespace
 
 Representation::Representation(std::shared_ptr<const Skeleton> skeleton, std::vector<Eigen::Quaterniond> mean_rotations,
                                Eigen::Quaterniond upright, int travel_joint)
     : skeleton_(std::move(skeleton)),
       mean_rotations_(std::move(mean_rotations)),
-      upright_(upright.normalized()),
+      upright_(unit(upright)),
       travel_joint_(travel_joint) {
   if (!skeleton_) throw InvalidArgument("skeleton", "a skeleton", "null");
   if (mean_rotations_.size() != at(skeleton_->num_joints())) {
