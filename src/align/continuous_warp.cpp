@@ -59,13 +59,8 @@ void check_options(const ContinuousWarpOptions& options, double frame_rate) {
 
 /// The weights of the degrees of freedom, their sum 1.
 Eigen::RowVectorXd shares_of(const VectorXd& weights, Index dofs) {
+  detail::check_weights(weights, dofs);
   if (weights.size() == 0) return Eigen::RowVectorXd::Constant(dofs, 1.0 / static_cast<double>(dofs));
-  if (weights.size() != dofs) {
-    throw InvalidArgument("weights", std::to_string(dofs) + " numbers or none", std::to_string(weights.size()));
-  }
-  if (!weights.allFinite() || (weights.array() < 0.0).any() || !(weights.sum() > 0.0)) {
-    throw InvalidArgument("weights", "finite numbers that are not negative nor all zero", "others");
-  }
   return (weights / weights.sum()).transpose();
 }
 
