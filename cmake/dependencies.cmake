@@ -5,6 +5,8 @@
 #   FlatBuffers   2.0.8    Apache-2.0  the model file (headers; flatc at build time)   runtime
 #   oneTBB        2021.8   Apache-2.0  threads while learning                          library
 #   toml++        3.3.0    MIT         pair lists                                      library
+#   SQLite        3.40.1   public dom. the database of fragments and labels            library
+#   LIBSVM        3.24     BSD-3       support vector regression                       library
 #   fmt           9.1.0    MIT         text on the terminal                            program
 #   CLI11         2.1.2    BSD-3       command line                                    program
 #   nlohmann-json 3.11.2   MIT         --json, provenance                              program
@@ -19,6 +21,8 @@ find_program(STRUT_FLATC flatc REQUIRED)
 if(NOT STRUT_RUNTIME_ONLY)
   find_package(TBB REQUIRED)
   find_package(tomlplusplus REQUIRED)
+  find_package(SQLite3 REQUIRED)
+  find_package(LibSVM REQUIRED)
   if(STRUT_BUILD_CLI)
     find_package(fmt REQUIRED)
     find_package(CLI11 REQUIRED)
