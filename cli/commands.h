@@ -19,6 +19,7 @@ void add_measure(CLI::App& app);
 void add_footplants(CLI::App& app);
 void add_sysid(CLI::App& app);
 void add_blend(CLI::App& app);
+void add_effort(CLI::App& app);
 void add_demo(CLI::App& app);
 void add_completion(CLI::App& app);
 

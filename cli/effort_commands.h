@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// The commands below `strut effort`. effort_<name>.cpp defines add_effort_<name>, as cmd_<name>.cpp does for the
+// program's own commands (commands.h).
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace strut::cli {}  // namespace strut::cli
