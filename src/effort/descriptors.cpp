@@ -19,13 +19,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kFewestRows = 4;        // a third difference needs them
-constexpr double kHighest = 10.0;     // frequency of SPARC [Hz]
-constexpr double kAmplitude = 0.05;   // of the spectrum that still counts, of its value at 0
-constexpr double kResolution = 0.05;  // of the spectrum [Hz]
-constexpr double kLeast = 1e-4;       // logarithms are taken of at least this
-constexpr Index kChord = 10;          // frames that a chord of the hands' way spans
-constexpr double kNothing = 1e-9;     // below this nothing varies
+constexpr int kFewestRows = 4;         // a third difference needs them
+constexpr double kHighest = 10.0;      // frequency of SPARC [Hz]
+constexpr double kAmplitude = 0.05;    // of the spectrum that still counts, of its value at 0
+constexpr double kResolution = 0.025;  // of the spectrum [Hz]
+constexpr double kLeast = 1e-4;        // logarithms are taken of at least this
+constexpr Index kChord = 10;           // frames that a chord of the hands' way spans
+constexpr double kNothing = 1e-9;      // below this nothing varies
 
 double safe_log(double value) {
   return std::log(std::max(value, kLeast));

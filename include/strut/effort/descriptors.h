@@ -45,7 +45,7 @@ Eigen::VectorXd describe(const Motion& motion);
 
 /// The spectral arc length of a speed profile (Balasubramanian, Melendez-Calderon, Roby-Brami, Burdet 2015): minus the
 /// length of the normalized amplitude spectrum's curve up to the last frequency, at most 10 Hz, at which it is at least
-/// 0.05 of its value at 0. The spectrum is evaluated every 0.05 Hz, as if padded by zeros. 0 where nothing moves.
+/// 0.05 of its value at 0. The spectrum is evaluated every 0.025 Hz, as if padded by zeros. 0 where nothing moves.
 /// `speed` at `rate` [samples/s].
 double spectral_arc_length(const Eigen::Ref<const Eigen::VectorXd>& speed, double rate);
 
