@@ -254,49 +254,19 @@ void WalkPoser::pose_upper_body(double s, const Pelvis& pelvis, Pose& pose) cons
 }
 
 void WalkPoser::pose_arm(double s, int side, Pose& pose) const {
-  const double sign = side == kLeft ? 1.0 : -1.0;
   const double forward = -std::cos(kTwoPi * (plan_.phase.at(s) - 0.5 * side - 0.02));  // against the leg of its side
   const double reach = std::min(plan_.reach.at(s), 1.4) * std::abs(std::cos(direction_.at(s)));
   const double swing = style_.arm_swing * reach * plan_.liveliness.at(s);
   const double flexion = 0.05 + swing * (forward + 0.1);
   const double elbow = style_.elbow_bend + 0.35 * swing * (1.0 + forward);
-  const auto joint = [&](int left) { return static_cast<std::size_t>(left + side * kSideOfArm); };
-  pose.rotations[joint(kUpperArm)] = about_x(-flexion) * about_z(sign * (style_.arm_spread - std::numbers::pi / 2)) *
-                                     about_x(0.25);  // elbows turned a little outwards
-  pose.rotations[joint(kForeArm)] = about_y(-sign * elbow);
-  pose.rotations[joint(kHand)] = about_y(-sign * 0.1);
+  place_arm(side, {flexion, style_.arm_spread, 0.0, elbow, 0.1}, pose);
 }
 
-/// Two-bone inverse kinematics in the plane of hip, ankle and the direction the knee points to.
 void WalkPoser::pose_leg(double s, int side, const Pelvis& pelvis, Pose& pose) const {
-  const auto joint = [&](int left) { return left + side * kSideOfLeg; };
-  const auto index = [&](int left) { return static_cast<std::size_t>(joint(left)); };
-  const double thigh = -offset(joint(kShank)).y(), shank = -offset(joint(kFoot)).y();
-  const FootState foot_state = foot(side, plan_.phase.at(s));
-  const Vector3d hip = pelvis.position + pelvis.rotation * offset(joint(kThigh));
-  const Vector3d leg = foot_state.ankle - hip;
-  const double length = std::min(leg.norm(), 0.9999 * (thigh + shank));
-  const Vector3d down = leg.normalized();
-
+  const FootState state = foot(side, plan_.phase.at(s));
   const double heading = plan_.heading.at(s);
-  const Vector3d ahead = about_y(heading + 0.5 * (pelvis.twist + foot_state.yaw - heading)) * Vector3d::UnitZ();
-  const Vector3d x = ahead.cross(down).normalized();
-  const Vector3d front = down.cross(x);
-  const double along = (length * length + thigh * thigh - shank * shank) / (2.0 * length);
-  const Vector3d knee = down * along + front * std::sqrt(thigh * thigh - along * along);
-
-  const auto bone = [&](const Vector3d& direction) {
-    Eigen::Matrix3d axes;
-    axes << x, -direction, x.cross(-direction);
-    return Quaterniond(axes);
-  };
-  const Quaterniond thigh_world = bone(knee.normalized());
-  const Quaterniond shank_world = bone((leg - knee).normalized());
-  const Quaterniond foot_world = about_y(foot_state.yaw) * about_x(-foot_state.pitch);
-  pose.rotations[index(kThigh)] = pelvis.rotation.conjugate() * thigh_world;
-  pose.rotations[index(kShank)] = thigh_world.conjugate() * shank_world;
-  pose.rotations[index(kFoot)] = shank_world.conjugate() * foot_world;
-  pose.rotations[index(kToe)] = about_x(-foot_state.toe_bend);
+  const Vector3d ahead = about_y(heading + 0.5 * (pelvis.twist + state.yaw - heading)) * Vector3d::UnitZ();
+  place_leg(*skeleton_, side, pelvis.position, pelvis.rotation, ahead, state, pose);
 }
 
 }  // namespace strut::generate::detail

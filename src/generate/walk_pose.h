@@ -3,6 +3,7 @@
 // pelvis and upper body by waves of the gait phase.
 #pragma once
 
+#include "body_pose.h"
 #include "walk_plan.h"
 
 #include <memory>
@@ -10,34 +11,6 @@
 #include <strut/motion/motion.h>
 
 namespace strut::generate::detail {
-
-/// Indices of the walker's joints; left before right, `+ kSide` is the right one.
-enum BodyJoint {
-  kHips = 0,
-  kSpine,
-  kChest,
-  kNeck,
-  kHead,
-  kShoulder,
-  kUpperArm,
-  kForeArm,
-  kHand,
-  kThigh = 13,
-  kShank,
-  kFoot,
-  kToe,
-  kNumBodyJoints = 21,
-};
-inline constexpr int kSideOfArm = 4;  ///< from a left arm joint to the right one
-inline constexpr int kSideOfLeg = 4;  ///< from a left leg joint to the right one
-
-/// Where a foot is.
-struct FootState {
-  Eigen::Vector3d ankle = Eigen::Vector3d::Zero();  ///< world [m]
-  double yaw = 0.0;                                 ///< [rad]
-  double pitch = 0.0;                               ///< toes up positive [rad]
-  double toe_bend = 0.0;                            ///< of the toes against the foot, up positive [rad]
-};
 
 /// Poses of one walk.
 class WalkPoser {

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <strut/motion/annotation.h>
+#include <strut/motion/legs.h>
 #include <strut/motion/motion.h>
 
 namespace strut::effort {
@@ -21,25 +23,43 @@ struct SpaceTimeBlendOptions {
 
 /// A blended motion.
 struct Blend {
-  Motion motion;                          ///< on the first fragment's skeleton, at its frame rate
-  std::vector<motion::Footplant> plants;  ///< contacts of both, blended, in its frames (0 left, 1 right)
+  Motion motion;  ///< on the first fragment's skeleton, at its frame rate
+  std::vector<motion::Footplant>
+      plants;  ///< contacts of both, blended, in its frames (0 left, 1 right), by foot, begin
+  Eigen::VectorXd first_frames, second_frames;  ///< the fragments' moments that each frame blends, rising [frames]
 };
 
 /// Two fragments, aligned once and blended as often as wanted. Immutable; const calls are thread-safe.
 class SpaceTimeBlend {
  public:
-  /// Aligns. Throws SkeletonMismatch if the hierarchies differ, InvalidArgument if the rates differ, a fragment has
-  /// fewer than 4 frames, one is more than slope_limit times as long as the other, or a joint is farther apart than
-  /// largest_angle (which joint, where). Cost: an alignment.
+  /// Aligns (align::refine_warp of representation::timing_features, both ways round and the mean of both taken, so
+  /// that neither fragment sets the time). Throws SkeletonMismatch if the hierarchies differ, InvalidArgument if the
+  /// rates differ, a fragment has fewer than 4 frames, one lasts more than slope_limit times as long as the other, a
+  /// joint is turned farther from the other's than largest_angle (which joint, where), a body leans more than 150
+  /// degrees (it has no heading there), or an option is out of range. Cost: two alignments, a few milliseconds.
   SpaceTimeBlend(const Motion& first, const Motion& second, const SpaceTimeBlendOptions& options = {});
   ~SpaceTimeBlend();
   SpaceTimeBlend(SpaceTimeBlend&&) noexcept;
   SpaceTimeBlend& operator=(SpaceTimeBlend&&) noexcept;
 
-  /// alpha = 0: the first fragment, 1: the second, to rounding; outside [0, 1] exaggerates. Time is always strictly
-  /// increasing: linear in alpha inside (-1/(s-1), s/(s-1)), geometric rates outside. Starts where and heading as
-  /// the first fragment does. Throws InvalidArgument if alpha is not within [-2, 3]. Cost O(frames x joints).
+  /// alpha = 0: the first fragment, 1: the second, to rounding; outside [0, 1] exaggerates. Starts where and heading as
+  /// the first fragment does.
+  ///
+  /// Time always rises strictly. It is linear in alpha, (1 - alpha) p + alpha q, inside (-1/(s-1), s/(s-1)) with s the
+  /// slope limit, and at most as far out as no rate falls below a tenth of the nearer fragment's. Beyond that every
+  /// moment's rate changes by the factor q'/p' per unit of alpha from what it is at the limit: geometric, continuous.
+  /// The last frame is the fragments' last; time is stretched by at most half a frame for it to be a whole one.
+  ///
+  /// Joints: q_i exp(alpha log(q_i^-1 q_j)). Root: steps over the ground and turns in the heading frame, per moment of
+  /// the common time rather than per second, so that feet that stand in both stand in the blend; height and tilt.
+  /// The second fragment is scaled to the first's leg length if its bones differ.
+  ///
+  /// Plants of one foot that overlap most in the common time are blended; one without a counterpart stays while its
+  /// fragment is the nearer one. Throws InvalidArgument if alpha is not within [-2, 3]. Cost O(frames x joints).
   [[nodiscard]] Blend at(double alpha) const;
+
+  /// The body's legs, whose plants `at` returns; none for a body without.
+  [[nodiscard]] const std::optional<motion::Legs>& legs() const;
 
  private:
   struct Parts;
