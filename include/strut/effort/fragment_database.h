@@ -151,6 +151,8 @@ class FragmentDatabase {
   [[nodiscard]] const std::shared_ptr<const Skeleton>& skeleton() const noexcept;
   [[nodiscard]] double frame_rate() const noexcept;  ///< [frames/s]
   [[nodiscard]] DatabaseCounts counts() const;
+  /// Reads every page and throws ParseError, with SQLite's words, where something is damaged. Cost: the whole file.
+  void check_integrity() const;
 
   /// Adds a clip and its fragments: `cuts` ascend and do not overlap. The motion is resampled to the database's rate,
   /// with a note, if it has another; `cuts` then count its frames as they come and are carried over.
