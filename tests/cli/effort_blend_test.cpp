@@ -100,7 +100,7 @@ TEST_F(EffortBlend, RefusesClipsThatDoNotFit) {
   EXPECT_THAT(brief.err, ContainsRegex("short.bvh: error: expected a fragment at most 2.* times as long"));
   write_clip(here_.file("frame.bvh"), second_.slice(0, 2));
   EXPECT_THAT(blend({"--alpha", "0.5"}, "@frame.bvh").err, HasSubstr("at least 4 frames"));
-  EXPECT_EQ(blend({"--alpha", "0.5"}, "@missing.bvh").exit_code, 1);
+  EXPECT_EQ(blend({"--alpha", "0.5"}, "@missing.bvh").exit_code, 3);
   std::vector<Pose> turned = second_.frames();
   for (Pose& pose : turned) pose.rotations[5] = pose.rotations[5] * math::exp_map({0.0, 2.6, 0.0});
   write_clip(here_.file("turned.bvh"), Motion(second_.shared_skeleton(), second_.frame_rate(), turned));
