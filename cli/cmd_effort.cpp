@@ -24,6 +24,7 @@ void add_effort(CLI::App& app) {
       app.add_subcommand("effort", "Make motion freer, stronger or more sudden, by labelled examples (Laban Effort)");
   command->footer(kSteps);
   command->require_subcommand(1);
+  add_effort_blend(*command);
 }
 
 }  // namespace strut::cli

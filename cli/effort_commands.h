@@ -5,4 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-namespace strut::cli {}  // namespace strut::cli
+namespace strut::cli {
+
+void add_effort_blend(CLI::App& effort);
+
+}  // namespace strut::cli
