@@ -11,7 +11,6 @@
 #include <fmt/core.h>
 
 #include <strut/core/error.h>
-#include <strut/core/file.h>
 
 namespace strut::cli {
 namespace {
@@ -27,26 +26,10 @@ std::string names_of(const blend::GaitModel& model) {
   return names;
 }
 
-/// The names in a table's first line.
-std::vector<std::string> header_of(const std::string& path) {
-  const std::string text = read_file(path);
-  std::vector<std::string> names{""};
-  for (const char c : text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0)) {
-    if (c == '\n') break;
-    if (c == ',') {
-      names.emplace_back();
-    } else if (c != '"' && c != '\r' && !(names.back().empty() && c == ' ')) {
-      names.back() += c;
-    }
-  }
-  for (std::string& name : names) name.erase(name.find_last_not_of(" \t") + 1);
-  return names;
-}
-
 /// The columns of the table that are styles. Refuses a column that is nothing.
 std::vector<int> style_columns(const std::string& path, const blend::GaitModel& model) {
   std::vector<int> styles;
-  for (const std::string& name : header_of(path)) {
+  for (const std::string& name : read_csv_names(path)) {
     if (name == kTime || name == kSpeed || name == kTurnRate || name.empty()) continue;
     const int style = model.find_style(name);
     if (style < 0) {
@@ -137,7 +120,7 @@ Eigen::VectorXd parse_style_weights(const std::vector<std::string>& words, const
 
 std::vector<blend::GaitKey> read_gait_keys(const std::string& path, const blend::GaitModel& model) {
   const std::vector<int> styles = style_columns(path, model);
-  const std::vector<std::string> header = header_of(path);
+  const std::vector<std::string> header = read_csv_names(path);
   const bool turns = std::find(header.begin(), header.end(), kTurnRate) != header.end();
   std::vector<std::string> columns{kTime, kSpeed};
   if (turns) columns.emplace_back(kTurnRate);

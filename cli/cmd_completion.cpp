@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace strut::cli {
 namespace {
@@ -19,8 +19,18 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::vector<CLI::App*> commands_of(CLI::App& app) {
-  return app.get_subcommands([](CLI::App*) { return true; });
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+bool has_commands(const CLI::App& command) {
+  return !commands_of(command).empty();
+}
+
+std::string names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  return joined(names);
 }
 
 /// An option's spellings, e.g. "-o", "--output"; none for a positional argument.
@@ -54,26 +64,39 @@ std::string bash_case(const std::string& pattern, const std::vector<std::string>
   return fmt::format("    {}) words='{}' ;;\n", pattern, joined(words));
 }
 
-/// Two tables: what may follow an option (by command and option), and what else a command understands.
-std::string bash_script(CLI::App& app) {
-  std::string values;
-  std::string options;
-  std::vector<std::string> names;
-  for (const CLI::App* command : commands_of(app)) {
-    names.push_back(command->get_name());
-    std::vector<std::string> words;
-    for (const CLI::Option* option : command->get_options()) {
-      const auto own = spellings(*option);
-      const auto fixed = choices(*option);
-      if (own.empty()) words.insert(words.end(), fixed.begin(), fixed.end());
-      words.insert(words.end(), own.begin(), own.end());
-      for (const std::string& spelling : own) {
-        const std::string pattern = command->get_name() + ":" + spelling;
-        if (takes_value(*option)) values += bash_case(pattern, fixed);
-      }
+/// What may follow an option (by command and option), and what else a command understands.
+struct BashTables {
+  std::string values, options;
+};
+
+void add_to_tables(const std::string& name, const CLI::App& command, BashTables& tables) {
+  std::vector<std::string> words;
+  if (has_commands(command)) words.push_back(names_of(commands_of(command)));
+  for (const CLI::Option* option : command.get_options()) {
+    const auto own = spellings(*option);
+    const auto fixed = choices(*option);
+    if (own.empty()) words.insert(words.end(), fixed.begin(), fixed.end());
+    words.insert(words.end(), own.begin(), own.end());
+    for (const std::string& spelling : own) {
+      if (takes_value(*option)) tables.values += bash_case(fmt::format("'{}:{}'", name, spelling), fixed);
     }
-    options += bash_case(command->get_name(), words);
   }
+  tables.options += bash_case(fmt::format("'{}'", name), words);
+  for (const CLI::App* below : commands_of(command)) add_to_tables(name + " " + below->get_name(), *below, tables);
+}
+
+/// The cases of a command of commands: the word after it belongs to its name.
+std::string bash_groups(const CLI::App& app) {
+  std::vector<std::string> groups;
+  for (const CLI::App* command : commands_of(app)) {
+    if (has_commands(*command)) groups.push_back(command->get_name());
+  }
+  return fmt::format("{}", fmt::join(groups, "|"));
+}
+
+std::string bash_script(const CLI::App& app) {
+  BashTables tables;
+  for (const CLI::App* command : commands_of(app)) add_to_tables(command->get_name(), *command, tables);
   return fmt::format(
       "# bash completion of strut, made by: strut completion bash\n"
       "_strut() {{\n"
@@ -83,16 +106,18 @@ std::string bash_script(CLI::App& app) {
       "    COMPREPLY=($(compgen -W '{} --help --version' -- \"$current\"))\n"
       "    return\n"
       "  fi\n"
-      "  case ${{COMP_WORDS[1]}}:$previous in\n{}  esac\n"
+      "  local command=${{COMP_WORDS[1]}}\n"
+      "  case $command in {}) [ \"$COMP_CWORD\" -le 2 ] || command+=\" ${{COMP_WORDS[2]}}\" ;; esac\n"
+      "  case $command:$previous in\n{}  esac\n"
       "  local is_fixed=${{words#none}}\n"
       "  if [ \"$words\" = none ]; then\n"
-      "    case ${{COMP_WORDS[1]}} in\n{}    esac\n"
+      "    case $command in\n{}    esac\n"
       "  fi\n"
       "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
       "  [[ -n $is_fixed || $current == -* ]] || COMPREPLY+=($(compgen -f -- \"$current\"))\n"
       "}}\n"
       "complete -o filenames -F _strut strut\n",
-      joined(names), values, options);
+      names_of(commands_of(app)), bash_groups(app), tables.values, tables.options);
 }
 
 /// `text` inside single quotes, with what zsh's _arguments reads as punctuation escaped.
@@ -129,28 +154,39 @@ std::string zsh_arguments(const CLI::App& command) {
   return arguments;
 }
 
-std::string zsh_script(CLI::App& app) {
+/// Offers the commands of `app` as the next word, then what each of them takes.
+std::string zsh_commands(const CLI::App& app) {
   std::string commands;
   std::string cases;
   for (const CLI::App* command : commands_of(app)) {
     commands += fmt::format("    '{}:{}'\n", command->get_name(), zsh_text(command->get_description()));
-    cases += fmt::format("    {})\n      _arguments{}\n      ;;\n", command->get_name(), zsh_arguments(*command));
+    cases += fmt::format("    {})\n", command->get_name());
+    cases +=
+        has_commands(*command) ? zsh_commands(*command) : fmt::format("      _arguments{}\n", zsh_arguments(*command));
+    cases += "      ;;\n";
   }
   return fmt::format(
-      "#compdef strut\n"
-      "# zsh completion of strut, made by: strut completion zsh\n"
-      "_strut() {{\n"
-      "  local -a commands=(\n{}  )\n"
+      "  commands=(\n{}  )\n"
       "  if (( CURRENT == 2 )); then\n"
       "    _describe command commands\n"
       "    return\n"
       "  fi\n"
       "  shift words\n"
       "  (( CURRENT-- ))\n"
-      "  case $words[1] in\n{}  esac\n"
+      "  case $words[1] in\n{}  esac\n",
+      commands, cases);
+}
+
+std::string zsh_script(const CLI::App& app) {
+  return fmt::format(
+      "#compdef strut\n"
+      "# zsh completion of strut, made by: strut completion zsh\n"
+      "_strut() {{\n"
+      "  local -a commands\n"
+      "{}"
       "}}\n"
       "if [ \"$funcstack[1]\" = _strut ]; then _strut \"$@\"; else compdef _strut strut; fi\n",
-      commands, cases);
+      zsh_commands(app));
 }
 
 }  // namespace

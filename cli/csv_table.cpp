@@ -108,6 +108,15 @@ double number_of(const Field& field, const Reader& reader) {
 
 }  // namespace
 
+std::vector<std::string> read_csv_names(const std::string& path) {
+  const std::string text = read_file(path);
+  Reader reader(path, text);
+  if (reader.only_blank_left()) reader.fail(0, "a line of column names", "nothing");
+  std::vector<std::string> names;
+  for (const Field& field : reader.next()) names.emplace_back(field.text);
+  return names;
+}
+
 std::vector<CsvRow> read_csv_rows(const std::string& path, const std::vector<std::string>& texts,
                                   const std::vector<std::string>& numbers) {
   const std::string text = read_file(path);

@@ -24,6 +24,9 @@ struct CsvRow {
   std::vector<std::size_t> number_columns;  ///< the same
 };
 
+/// The names in the first line of the file at `path`, which must have one. Throws FileError or ParseError.
+std::vector<std::string> read_csv_names(const std::string& path);
+
 /// The columns `texts` and `numbers` of the file at `path`, line by line; as strict as read_csv_columns.
 std::vector<CsvRow> read_csv_rows(const std::string& path, const std::vector<std::string>& texts,
                                   const std::vector<std::string>& numbers);

@@ -70,8 +70,8 @@ UsageError not_understood(const CLI::App& command, std::vector<std::string> word
   std::stable_partition(words.begin(), words.end(), [](const std::string& word) { return word[0] == '-'; });
   const std::string word = words.front().substr(0, words.front().find('='));
   const bool is_option = word[0] == '-';
-  const bool is_program = command.get_parent() == nullptr;
-  const std::string kind = is_option ? "option" : is_program ? "command" : "argument";
+  const bool has_commands = !words_of(command, false).empty();
+  const std::string kind = is_option ? "option" : has_commands ? "command" : "argument";
   const std::string meant = nearest(word, words_of(command, is_option));
   return {kind == "argument" ? fmt::format("one argument too many: '{}'", word)
                              : fmt::format("there is no {} '{}'", kind, word),
@@ -161,10 +161,13 @@ CLI::Validator one_of(const std::map<std::string, int>& numbers) {
 }
 
 void print_usage_error(const CLI::App& app, const CLI::ParseError& error) {
-  const auto commands = app.get_subcommands();
-  const CLI::App& command = commands.empty() ? app : *commands.front();
-  const std::string name = commands.empty() ? "strut" : "strut " + command.get_name();
-  const auto [message, hint] = describe(command, error);
+  const CLI::App* command = &app;
+  std::string name = "strut";
+  for (auto below = app.get_subcommands(); !below.empty(); below = command->get_subcommands()) {
+    command = below.front();
+    name += " " + command->get_name();
+  }
+  const auto [message, hint] = describe(*command, error);
   say(fmt::format("{}: error: {}\n", name, message));
   say(fmt::format("hint: {}{} --help tells more\n", hint.empty() ? "" : hint + " ", name));
 }

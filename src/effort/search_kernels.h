@@ -13,14 +13,15 @@ namespace strut::effort::detail {
 inline constexpr int kTileColumns = 16;  ///< columns of a tile: dimension by dimension, 16 numbers
 inline constexpr int kQueryRows = 4;     ///< query frames whose distances are computed at once
 
-// What is carried with a cell beside its cost, in one number: how many columns its path covers, which step led to it,
-// and how many of the path's steps were at a slope limit.
-inline constexpr int kSpanBits = 16;
-inline constexpr std::int32_t kSpan = (1 << kSpanBits) - 1;        ///< mask of the columns covered
-inline constexpr std::int32_t kAlongRecording = 1 << kSpanBits;    ///< the last step took two columns
-inline constexpr std::int32_t kAlongQuery = 1 << (kSpanBits + 1);  ///< the last step took two query frames
-inline constexpr std::int32_t kStep = kAlongRecording | kAlongQuery;
-inline constexpr int kLimitShift = kSpanBits + 2;  ///< where the count of steps at a limit begins
+// What is carried with a cell beside its cost, in one number: how many columns its path covers, which of its last three
+// steps took two columns, which took two query frames (a run of either ends with any other step, so one of the two is
+// empty), and how many steps have followed three of their own kind.
+inline constexpr std::int32_t kSpan = (1 << 13) - 1;            ///< mask of the columns covered: 2 * 4096 - 1 at most
+inline constexpr std::int32_t kTwoColumns = 1 << 13;            ///< the last step took two columns
+inline constexpr std::int32_t kColumnRun = 7 * kTwoColumns;     ///< mask: so did the two before
+inline constexpr std::int32_t kTwoQueryFrames = 1 << 16;        ///< the last step took two query frames
+inline constexpr std::int32_t kQueryRun = 7 * kTwoQueryFrames;  ///< mask: so did the two before
+inline constexpr int kLimitShift = 19;                          ///< where the count of steps at a limit begins
 
 /// A row of cells, each array with kTileColumns numbers readable before its first: infinite costs, any trace.
 struct CellRow {

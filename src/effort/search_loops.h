@@ -75,6 +75,21 @@ void distances(int dimensions, int tiles, const float* query, const float* colum
   }
 }
 
+inline Integers without_runs(const Integers& trace) {
+  return trace & ~(kColumnRun | kQueryRun);
+}
+
+// A full run and one more carry into the next higher bit: the lowest of the other run, or of the count.
+inline Integers after_two_columns(const Integers& trace) {
+  const Integers run = trace & kColumnRun, carry = (run + kTwoColumns) & kTwoQueryFrames;
+  return (without_runs(trace) + 2) + (((run << 1) & kColumnRun) | kTwoColumns) + (carry << (kLimitShift - 16));
+}
+
+inline Integers after_two_query_frames(const Integers& trace) {
+  const Integers run = trace & kQueryRun, carry = (run + kTwoQueryFrames) & (1 << kLimitShift);
+  return (without_runs(trace) + 1) + (((run << 1) & kQueryRun) | kTwoQueryFrames) + carry;
+}
+
 void step(int width, const float* __restrict distance, const float* __restrict distance_before, const CellRow& before,
           const CellRow& two_before, const CellRow& now) {
   const float* __restrict one = before.cost;
@@ -86,25 +101,17 @@ void step(int width, const float* __restrict distance, const float* __restrict d
   for (int j = 0; j < width; j += kWide) {
     const Numbers here = load(distance + j), beside = load(distance + j - 1), below = load(distance_before + j);
     Numbers best = load(one + j - 1) + (here + here);
-    const Integers diagonal = load(trace_one + j - 1);
-    Integers best_trace = (diagonal & ~kStep) + 1;
+    Integers best_trace = without_runs(load(trace_one + j - 1)) + 1;
 
-    const Numbers along_recording = load(one + j - 2) + (beside + beside) + here;
-    const Integers last = load(trace_one + j - 2);
-    // A step at a limit counts if the one before was the same: one alone only rounds to whole frames.
-    const Integers recording_trace =
-        (last & ~kStep) + ((last & kAlongRecording) << (kLimitShift - kSpanBits)) + (kAlongRecording + 2);
-    const Integers by_recording = along_recording < best;
-    best = by_recording ? along_recording : best;
-    best_trace = by_recording ? recording_trace : best_trace;
+    const Numbers two_columns = load(one + j - 2) + (beside + beside) + here;
+    const Integers by_columns = two_columns < best;
+    best = by_columns ? two_columns : best;
+    best_trace = by_columns ? after_two_columns(load(trace_one + j - 2)) : best_trace;
 
-    const Numbers along_query = load(two + j - 1) + (below + below) + here;
-    const Integers before_last = load(trace_two + j - 1);
-    const Integers query_trace =
-        (before_last & ~kStep) + ((before_last & kAlongQuery) << (kLimitShift - kSpanBits - 1)) + (kAlongQuery + 1);
-    const Integers by_query = along_query < best;
-    store(by_query ? along_query : best, cost + j);
-    store(by_query ? query_trace : best_trace, trace + j);
+    const Numbers two_frames = load(two + j - 1) + (below + below) + here;
+    const Integers by_frames = two_frames < best;
+    store(by_frames ? two_frames : best, cost + j);
+    store(by_frames ? after_two_query_frames(load(trace_two + j - 1)) : best_trace, trace + j);
   }
 }
 

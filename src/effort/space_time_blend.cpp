@@ -2,6 +2,7 @@
 // Symbols of the design: u the fragments' common time, p and q their frames, t the blend's, all in frames but u.
 #include "effort/blend_source.h"
 #include "effort/blended_plants.h"
+#include "effort/merged_plants.h"
 #include "effort/pair_timing.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include <strut/core/error.h>
@@ -89,17 +89,7 @@ std::vector<motion::Footplant> in_frames(const std::vector<TimedPlant>& plants, 
     const auto frame = [&](double u) { return static_cast<int>(std::lround(time.at(u) * per_frame)); };
     found.push_back({plant.foot, frame(plant.begin), frame(plant.end) + 1});
   }
-  std::sort(found.begin(), found.end(),
-            [](const auto& a, const auto& b) { return std::tie(a.foot, a.begin) < std::tie(b.foot, b.begin); });
-  std::vector<motion::Footplant> merged;
-  for (const motion::Footplant& plant : found) {
-    if (!merged.empty() && merged.back().foot == plant.foot && merged.back().end >= plant.begin) {
-      merged.back().end = std::max(merged.back().end, plant.end);
-    } else {
-      merged.push_back(plant);
-    }
-  }
-  return merged;
+  return merged_plants(std::move(found));
 }
 
 }  // namespace

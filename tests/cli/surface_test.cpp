@@ -4,12 +4,14 @@
 #include "support/program.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,8 +26,12 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
+/// What `strut COMMAND --help` says; the command may be of two words.
 std::string help_of(const std::string& command) {
-  const ProgramResult result = run_program(STRUT_PROGRAM, {command, "--help"});
+  std::istringstream words(command);
+  std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
+  arguments.emplace_back("--help");
+  const ProgramResult result = run_program(STRUT_PROGRAM, arguments);
   EXPECT_EQ(result.exit_code, 0) << command;
   return result.out;
 }
@@ -37,13 +43,25 @@ std::set<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// The commands `strut --help` lists.
-std::set<std::string> commands() {
-  const std::string help = run_program(STRUT_PROGRAM, {"--help"}).out;
+/// The commands that `strut COMMAND --help` lists, each with the command's name before it.
+std::set<std::string> commands_below(const std::string& command) {
+  const std::string help = help_of(command);
+  const auto start = help.find("Subcommands:");
+  if (start == std::string::npos) return {};
   std::set<std::string> names;
   static const std::regex kRow(R"(\n  ([a-z]+) +\S)");
-  const std::string list = help.substr(help.find("Subcommands:"));
-  for (std::sregex_iterator row(list.begin(), list.end(), kRow), end; row != end; ++row) names.insert((*row)[1]);
+  const std::string list = help.substr(start, help.find("\n\n", start) - start);
+  const std::string before = command.empty() ? "" : command + " ";
+  for (std::sregex_iterator row(list.begin(), list.end(), kRow), end; row != end; ++row) {
+    names.insert(before + (*row)[1].str());
+  }
+  return names;
+}
+
+/// All commands, with those below another one.
+std::set<std::string> commands() {
+  std::set<std::string> names = commands_below("");
+  for (const std::string& name : commands_below("")) names.merge(commands_below(name));
   return names;
 }
 
@@ -66,8 +84,9 @@ std::set<std::string> completions(const std::string& words) {
 }
 
 TEST(Program, ListsItsCommands) {
-  EXPECT_THAT(commands(), testing::IsSupersetOf({"pair", "learn", "translate", "clean", "align", "info", "convert",
-                                                 "measure", "footplants", "sysid", "demo", "completion"}));
+  EXPECT_THAT(commands(),
+              testing::IsSupersetOf({"pair", "learn", "translate", "clean", "align", "info", "convert", "measure",
+                                     "footplants", "sysid", "blend", "effort", "demo", "completion"}));
 }
 
 TEST(Program, DescribesEveryCommandAndOption) {
@@ -88,7 +107,8 @@ TEST(Program, TellsItsVersion) {
 }
 
 TEST(Program, AnswersWrongUsageWithTwo) {
-  for (const auto& arguments : std::vector<std::vector<std::string>>{{}, {"no-such-command"}, {"learn", "--no-such"}}) {
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {}, {"no-such-command"}, {"learn", "--no-such"}, {"effort"}, {"effort", "no-such"}}) {
     const ProgramResult result = run_program(STRUT_PROGRAM, arguments);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
@@ -104,7 +124,9 @@ TEST(Program, SaysWhenItsOutputCannotBeWritten) {
 
 TEST(BashCompletion, OffersEveryCommandAndOption) {
   for (const std::string& command : commands()) {
-    EXPECT_THAT(completions("strut ''"), Contains(command));
+    const auto space = command.find(' ');
+    const std::string before = space == std::string::npos ? "" : command.substr(0, space + 1);
+    EXPECT_THAT(completions("strut " + before + "''"), Contains(command.substr(before.size())));
     const auto offered = completions("strut " + command + " --");
     for (const std::string& option : options_of(command)) EXPECT_THAT(offered, Contains(option)) << command;
   }

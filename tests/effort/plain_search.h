@@ -17,7 +17,8 @@ struct PlainCell {
   float cost = std::numeric_limits<float>::infinity();
   int begin = -1;    ///< the path's first column
   int kind = 0;      ///< of the last step: 0 diagonal, 1 two columns, 2 two query frames
-  int at_limit = 0;  ///< steps that follow one of their own kind, not diagonal
+  int run = 0;       ///< steps of that kind on end, 0 for diagonal ones
+  int at_limit = 0;  ///< steps that follow three of their own kind, not diagonal
 };
 
 /// g / (m + n) of the last row, and its begins and shares. `may_begin`: at which columns.
@@ -40,13 +41,14 @@ inline SubsequenceCosts plain_costs(
     return cells[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   };
   for (int j = 0; j < n; ++j) {
-    if (may_begin(j)) cell(0, j) = {2.0F * c(0, j), j, 0, 0};
+    if (may_begin(j)) cell(0, j) = {2.0F * c(0, j), j};
   }
   for (int i = 1; i < m; ++i) {
     for (int j = 0; j < n; ++j) {
       const auto offer = [&](const PlainCell& from, float cost, int kind) {
         if (!(cost < cell(i, j).cost)) return;
-        cell(i, j) = {cost, from.begin, kind, from.at_limit + (kind != 0 && from.kind == kind ? 1 : 0)};
+        const int run = kind == 0 ? 0 : from.kind == kind ? from.run + 1 : 1;
+        cell(i, j) = {cost, from.begin, kind, run, from.at_limit + (run > 3 ? 1 : 0)};
       };
       if (j >= 1) offer(cell(i - 1, j - 1), cell(i - 1, j - 1).cost + 2.0F * c(i, j), 0);
       if (j >= 2) offer(cell(i - 1, j - 2), cell(i - 1, j - 2).cost + 2.0F * c(i, j - 1) + c(i, j), 1);

@@ -16,7 +16,7 @@
 namespace strut::effort {
 
 /// The longest query [frames].
-inline constexpr int kMostQueryFrames = 8192;
+inline constexpr int kMostQueryFrames = 4096;
 
 /// Recordings, kept as the search reads them: in float, tiles of 16 frames, dimension by dimension. Made once for any
 /// number of queries, from several threads at a time. Takes 4 bytes per number.
@@ -74,7 +74,7 @@ struct FragmentMatch {
   motion::FrameRange frames;    ///< of the recordings, numbered through
   double cost = 0.0;            ///< mean distance along the path, each step counted by what it covers [m]
   double share_at_limit = 0.0;  ///< share of the path's length that runs along a slope limit, 1/2 or 2: steps that
-                                ///< follow one of their own kind. One alone only rounds to whole frames. 0 ... 1
+                                ///< follow three of their own kind, for fewer only round to whole frames. 0 ... 1
 };
 
 /// What counts as a match.

@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: MIT
+// The fragment database: what is written comes back, what does not fit is refused and changes nothing, and a crash
+// leaves whole transactions only.
+#include "support/data.h"
+#include "support/walks.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <random>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <strut/core/error.h>
+#include <strut/core/file.h>
+#include <strut/effort/fragment_database.h>
+#include <strut/math/rotation.h>
+
+namespace strut::test {
+namespace {
+
+using namespace effort;
+using motion::FrameRange;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double kRotationError = 4e-7;  // of floats near pi [rad]
+constexpr double kTravelError = 1e-9;    // what counts as standing still [m]
+
+class FragmentDatabaseTest : public testing::Test {
+ protected:
+  FragmentDatabaseTest() : walk_(short_walk(0.0)), path_(here_.file("moves.db")) {}
+
+  FragmentDatabase made() { return FragmentDatabase::create(path_, walk_.shared_skeleton(), walk_.frame_rate()); }
+  /// With two clips of three fragments each, all of them in one group, neighbours paired.
+  FragmentDatabase filled() {
+    FragmentDatabase database = made();
+    const std::vector<FrameRange> cuts{{0, 20}, {20, 50}, {60, 90}};
+    database.add_clip({"a.bvh", "ann", "walk"}, walk_, cuts);
+    database.add_clip({"b.bvh", "bob", "limp"}, short_walk(0.8), cuts);
+    database.set_matching({{1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}},
+                          {{1, 2, 0.1, 0.0, PairStatus::kAccepted}, {2, 3, 0.5, 0.2, PairStatus::kRejected}});
+    return database;
+  }
+  static LabelRecord label(LabelTarget target, const std::string& rater, double flow, const std::string& at) {
+    LabelRecord made;
+    made.target = target;
+    made.rater = rater;
+    made.labelled_at = at;
+    made.rating[kFlow] = flow;
+    return made;
+  }
+
+  TemporaryFolder here_;
+  Motion walk_;
+  std::string path_;
+};
+
+constexpr const char* kNoon = "2026-03-01T12:00:00Z";
+constexpr LabelTarget kFirstFragment{TargetKind::kFragment, 1};
+
+double rotation_error(const Motion& a, const Motion& b) {
+  double worst = 0.0;
+  for (int i = 0; i < a.num_frames(); ++i) {
+    for (std::size_t j = 0; j < a.frame(i).rotations.size(); ++j) {
+      const Eigen::Quaterniond between = a.frame(i).rotations[j].conjugate() * b.frame(i).rotations[j];
+      worst = std::max(worst, math::log_map(between).norm());
+    }
+  }
+  return worst;
+}
+
+double travel_error(const Motion& a, const Motion& b) {
+  double worst = 0.0;
+  for (int i = 0; i < a.num_frames(); ++i) {
+    for (std::size_t j = 0; j < a.frame(i).translations.size(); ++j) {
+      worst = std::max(worst, (a.frame(i).translations[j] - b.frame(i).translations[j]).norm());
+    }
+  }
+  return worst;
+}
+
+TEST_F(FragmentDatabaseTest, GivesFramesBackWithinTheStatedErrors) {
+  const RecordId clip = made().add_clip({"a.bvh", "", ""}, walk_, {});
+  const FragmentDatabase database = FragmentDatabase::open(path_);
+  const Motion all = database.motion(clip);
+  ASSERT_EQ(all.num_frames(), walk_.num_frames());
+  EXPECT_LT(rotation_error(walk_, all), kRotationError);
+  EXPECT_LT(travel_error(walk_, all), kTravelError);
+  EXPECT_EQ(all.frame_rate(), walk_.frame_rate());
+}
+
+TEST_F(FragmentDatabaseTest, KeepsTravelFarFromTheOriginAndRotationsNearAHalfTurn) {
+  std::vector<Pose> frames(70, rest_pose(walk_.skeleton()));
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].translations[0] = {12345.678 + 1e-3 * static_cast<double>(i), 0.9, -98765.4};
+    frames[i].translations[3].y() += 1e-4 * static_cast<double>(i);
+    frames[i].rotations[2] = math::exp_map({0.0, 3.141592 - 1e-6 * static_cast<double>(i), 1e-3});
+  }
+  const Motion far(walk_.shared_skeleton(), 30.0, std::move(frames));
+  FragmentDatabase database = made();
+  const Motion back = database.motion(database.add_clip({"far", "", ""}, far, {}));
+  EXPECT_LT(rotation_error(far, back), kRotationError);
+  EXPECT_LT(travel_error(far, back), kTravelError);
+}
+
+TEST_F(FragmentDatabaseTest, ReadsAnyRangeAsTheWholeHasIt) {
+  FragmentDatabase database = made();
+  const RecordId clip = database.add_clip({"a.bvh", "", ""}, walk_, {});
+  const Motion all = database.motion(clip);
+  for (const auto& [begin, end] : {std::pair(0, 1), {0, 64}, {63, 65}, {64, 90}, {10, 80}, {5, 5}}) {
+    const Motion part = database.motion(clip, {begin, end});
+    EXPECT_EQ(part.frames(), all.slice(begin, end).frames()) << begin << " to " << end;
+  }
+  EXPECT_THROW((void)database.motion(clip, {-1, 5}), InvalidArgument);
+  EXPECT_THROW((void)database.motion(clip, {5, walk_.num_frames() + 1}), InvalidArgument);
+  EXPECT_THROW((void)database.motion(clip + 1), InvalidArgument);
+}
+
+TEST_F(FragmentDatabaseTest, KeepsTheSkeletonToTheBit) {
+  made();
+  const FragmentDatabase database = FragmentDatabase::open(path_);
+  for (int j = 0; j < walk_.skeleton().num_joints(); ++j) {
+    const Joint &before = walk_.skeleton().joint(j), &after = database.skeleton()->joint(j);
+    EXPECT_EQ(after.name, before.name);
+    EXPECT_EQ(after.offset, before.offset);
+    EXPECT_EQ(after.has_end_site, before.has_end_site);
+    EXPECT_EQ(after.end_site, before.end_site);
+  }
+}
+
+TEST_F(FragmentDatabaseTest, ListsClipsAndFragmentsInOrder) {
+  filled();
+  const FragmentDatabase database = FragmentDatabase::open(path_);
+  const auto fragments = database.fragments();
+  ASSERT_EQ(fragments.size(), 6U);
+  EXPECT_EQ(fragments[4].clip_name, "b.bvh");
+  EXPECT_EQ(fragments[4].performer, "bob");
+  EXPECT_EQ(fragments[4].action, "limp");
+  EXPECT_EQ(fragments[4].frames, (FrameRange{20, 50}));
+  EXPECT_EQ(fragments[4].group, 0);
+  EXPECT_EQ(fragments[5].group, -1);
+  EXPECT_EQ(database.motion(fragments[4]).num_frames(), 30);
+  const DatabaseCounts counts = database.counts();
+  EXPECT_EQ(counts.clips, 2);
+  EXPECT_EQ(counts.frames, walk_.num_frames() + short_walk(0.8).num_frames());
+  EXPECT_EQ(counts.groups, 1);
+  EXPECT_EQ(counts.pairs, 2);
+  EXPECT_EQ(counts.accepted_pairs, 1);
+}
+
+TEST_F(FragmentDatabaseTest, ResamplesOtherRatesWithANote) {
+  const Motion fast(walk_.shared_skeleton(), 60.0, walk_.frames());
+  Diagnostics diagnostics;
+  FragmentDatabase database = made();
+  const RecordId clip = database.add_clip({"fast.bvh", "", ""}, fast, {{20, 60}}, CutSource::kPerson, &diagnostics);
+  EXPECT_EQ(database.motion(clip).num_frames(), (walk_.num_frames() + 1) / 2);
+  EXPECT_EQ(database.fragments().front().frames, (FrameRange{10, 30}));
+  ASSERT_EQ(diagnostics.entries().size(), 1U);
+  EXPECT_THAT(diagnostics.entries().front().message, HasSubstr("resampled"));
+}
+
+TEST_F(FragmentDatabaseTest, NamesTheJointsOfAnotherSkeleton) {
+  FragmentDatabase database = made();
+  try {
+    database.add_clip({"other", "", ""}, renamed(walk_, 4, "Tail"), {});
+    FAIL();
+  } catch (const SkeletonMismatch& error) {
+    EXPECT_THAT(error.what(), HasSubstr("Tail"));
+  }
+  EXPECT_TRUE(database.clips().empty());
+}
+
+TEST_F(FragmentDatabaseTest, RefusesClipsTwiceAndCutsThatOverlapOrLeaveTheClip) {
+  FragmentDatabase database = filled();
+  EXPECT_THROW(database.add_clip({"a.bvh", "", ""}, walk_, {}), InvalidArgument);
+  EXPECT_THROW(database.add_clip({"", "", ""}, walk_, {}), InvalidArgument);
+  for (const auto& cuts : std::vector<std::vector<FrameRange>>{
+           {{0, 20}, {19, 30}}, {{5, 5}}, {{-1, 4}}, {{80, walk_.num_frames() + 1}}, {{30, 40}, {0, 10}}}) {
+    EXPECT_THROW(database.add_clip({"c.bvh", "", ""}, walk_, cuts), InvalidArgument);
+    EXPECT_THROW(database.set_cuts(1, cuts, CutSource::kPerson), InvalidArgument);
+  }
+  EXPECT_EQ(database.counts().clips, 2);
+  EXPECT_EQ(database.counts().fragments, 6);
+}
+
+TEST_F(FragmentDatabaseTest, CuttingAnewKeepsIdsAndLabelsOfWhatStays) {
+  FragmentDatabase database = filled();
+  database.add_labels({label(kFirstFragment, "eve", 0.5, kNoon)});
+  database.set_cuts(1, {{0, 20}, {25, 50}, {60, 90}}, CutSource::kPerson);
+  const auto fragments = database.fragments();
+  EXPECT_EQ(fragments[0].id, 1);
+  EXPECT_EQ(fragments[1].id, 7) << "an id is never given again";
+  EXPECT_EQ(fragments[1].cut, CutSource::kPerson);
+  EXPECT_EQ(fragments[2].id, 3);
+  EXPECT_EQ(database.labels().size(), 1U);
+  EXPECT_TRUE(database.pairs().empty()) << "both pairs were of fragment 2";
+}
+
+TEST_F(FragmentDatabaseTest, DoesNotCutLabelsAwayUnasked) {
+  FragmentDatabase database = filled();
+  const RecordId blend = database.add_blend(1, 2, 0.5);
+  database.add_labels({label({TargetKind::kBlend, blend}, "eve", 0.5, kNoon)});
+  ASSERT_EQ(database.labelled_without(1, {{60, 90}}).size(), 2U);
+  EXPECT_THROW(database.set_cuts(1, {{0, 20}}, CutSource::kPerson), InvalidArgument);
+  EXPECT_THROW(database.remove_clip(1), InvalidArgument);
+  EXPECT_EQ(database.counts().fragments, 6);
+  database.set_cuts(1, {{0, 20}}, CutSource::kPerson, OnLabels::kDiscard);
+  EXPECT_TRUE(database.labels().empty());
+  EXPECT_TRUE(database.blends().empty());
+  database.remove_clip(1);
+  EXPECT_EQ(database.counts().fragments, 3);
+}
+
+TEST_F(FragmentDatabaseTest, WhatPeopleSayOfPairsOutlivesMatching) {
+  FragmentDatabase database = filled();
+  database.decide_pair(2, 1, false);
+  database.decide_pair(2, 3, true);
+  database.decide_pair(6, 4, true);
+  database.set_matching({}, {{1, 2, 0.2, 0.0, PairStatus::kAccepted}, {2, 3, 0.6, 0.2, PairStatus::kRejected}});
+  const auto pairs = database.pairs();
+  ASSERT_EQ(pairs.size(), 3U);
+  EXPECT_EQ(pairs[0].status, PairStatus::kRejectedByPerson);
+  EXPECT_EQ(pairs[0].cost, 0.2);
+  EXPECT_EQ(pairs[1].status, PairStatus::kAcceptedByPerson);
+  EXPECT_EQ(pairs[2].first, 4);
+  EXPECT_EQ(pairs[2].second, 6);
+  EXPECT_FALSE(is_rated(pairs[2].cost));
+  EXPECT_EQ(database.accepted_pairs().size(), 2U);
+  EXPECT_EQ(database.counts().pairs, 3);
+  EXPECT_EQ(database.counts().accepted_pairs, 2);
+}
+
+TEST_F(FragmentDatabaseTest, KeepsLabelsAsTheyWereGiven) {
+  FragmentDatabase database = filled();
+  const RecordId blend = database.add_blend(1, 2, 0.3);
+  EXPECT_EQ(database.add_blend(1, 2, 0.3), blend);
+  LabelRecord full = label({TargetKind::kBlend, blend}, "Zo\xc3\xab", -1.0, kNoon);
+  full.source = LabelSource::kSynthetic;
+  full.rating[kTime] = 1.0 / 3.0;
+  full.not_present[kWeight] = true;
+  full.is_repeat = true;
+  full.comment = "says \"stop\", then turns";
+  EXPECT_EQ(database.add_labels({full}), 1);
+  const LabelRecord back = database.labels().front();
+  EXPECT_EQ(back.target, full.target);
+  EXPECT_EQ(back.rater, full.rater);
+  EXPECT_EQ(back.labelled_at, full.labelled_at);
+  EXPECT_EQ(back.source, full.source);
+  EXPECT_EQ(back.rating[kFlow], -1.0);
+  EXPECT_EQ(back.rating[kTime], 1.0 / 3.0);
+  EXPECT_FALSE(is_rated(back.rating[kWeight]));
+  EXPECT_EQ(back.not_present, full.not_present);
+  EXPECT_TRUE(back.is_repeat);
+  EXPECT_EQ(back.comment, full.comment);
+}
+
+TEST_F(FragmentDatabaseTest, LeavesOutALabelThatIsThere) {
+  FragmentDatabase database = filled();
+  EXPECT_EQ(database.add_labels({label(kFirstFragment, "eve", 0.5, kNoon)}), 1);
+  EXPECT_EQ(database.add_labels({label(kFirstFragment, "eve", -0.5, kNoon), label(kFirstFragment, "kim", 0.1, kNoon)}),
+            1);
+  EXPECT_EQ(database.labels().front().rating[kFlow], 0.5);
+}
+
+TEST_F(FragmentDatabaseTest, OneBadLabelKeepsAllOut) {
+  FragmentDatabase database = filled();
+  const LabelRecord good = label(kFirstFragment, "eve", 0.5, kNoon);
+  std::vector<LabelRecord> bad(9, good);
+  bad[0].rating[kFlow] = 1.01;
+  bad[1].rating[kFlow] = kNotRated;
+  bad[2].rater.clear();
+  bad[3].labelled_at = "yesterday";
+  bad[4].target.id = 99;
+  bad[5].target.kind = TargetKind::kBlend;
+  bad[6].not_present[kFlow] = true;
+  bad[7].comment = "two\nlines";
+  bad[8].labelled_at = "2026-02-30T12:00:00Z";
+  for (const LabelRecord& one : bad) EXPECT_THROW(database.add_labels({good, one}), InvalidArgument);
+  EXPECT_TRUE(database.labels().empty());
+}
+
+TEST_F(FragmentDatabaseTest, AveragesWithinARaterFirst) {
+  FragmentDatabase database = filled();
+  LabelRecord repeat = label(kFirstFragment, "eve", 0.6, "2026-03-02T12:00:00Z");
+  repeat.is_repeat = true;
+  LabelRecord other = label(kFirstFragment, "kim", -0.5, kNoon);
+  other.rating[kTime] = 0.25;
+  database.add_labels({label(kFirstFragment, "eve", 0.4, kNoon), repeat, other});
+  const auto means = database.mean_labels();
+  ASSERT_EQ(means.size(), 1U);
+  EXPECT_DOUBLE_EQ(means[0].mean[kFlow], 0.0);
+  EXPECT_DOUBLE_EQ(means[0].mean[kTime], 0.25);
+  EXPECT_FALSE(is_rated(means[0].mean[kWeight]));
+  EXPECT_EQ(means[0].num_raters, Eigen::Vector4i(2, 0, 1, 0));
+  ASSERT_EQ(means[0].raters.size(), 2U);
+  EXPECT_EQ(means[0].raters[0].num_labels, 2);
+}
+
+TEST_F(FragmentDatabaseTest, EstimatesNeverCountAsLabels) {
+  FragmentDatabase database = filled();
+  database.set_estimates({{1, {0.1, -0.2, 0.3}, {0.4, 0.5, 0.6}}, {2, {0.0, kNotRated, 1.0}, {0.0, 0.0, 1.0}}});
+  EXPECT_TRUE(database.labels().empty());
+  EXPECT_TRUE(database.mean_labels().empty());
+  const auto back = database.estimates();
+  ASSERT_EQ(back.size(), 2U);
+  EXPECT_EQ(back[0].effort, EffortVector(0.1, -0.2, 0.3));
+  EXPECT_FALSE(is_rated(back[1].effort[kWeight]));
+  EXPECT_THROW(database.set_estimates({{99, {0, 0, 0}, {0, 0, 0}}}), InvalidArgument);
+  EXPECT_THROW(database.set_estimates({{1, {2, 0, 0}, {0, 0, 0}}}), InvalidArgument);
+  EXPECT_THROW(database.set_estimates({{1, {0, 0, 0}, {0, 0, 1.5}}}), InvalidArgument);
+  EXPECT_EQ(database.estimates().size(), 2U) << "a refused change leaves all as it was";
+}
+
+TEST_F(FragmentDatabaseTest, AnUncommittedTransactionNeverWas) {
+  FragmentDatabase database = filled();
+  {
+    const FragmentDatabase::Transaction transaction(database);
+    database.add_clip({"c.bvh", "", ""}, walk_, {{0, 10}});
+    database.add_blend(1, 2, 0.5);
+  }
+  EXPECT_EQ(database.counts().clips, 2);
+  {
+    FragmentDatabase::Transaction transaction(database);
+    EXPECT_THROW(database.add_labels({label(kFirstFragment, "", 0.0, kNoon)}), InvalidArgument);
+    database.add_blend(1, 2, 0.5);
+    transaction.commit();
+  }
+  EXPECT_EQ(database.counts().blends, 1);
+}
+
+TEST_F(FragmentDatabaseTest, RefusesOtherFilesInOneLine) {
+  write_file(here_.file("empty"), "");
+  write_file(here_.file("text"), "HIERARCHY\nROOT Hips\n" + std::string(200, 'x'));
+  made();
+  std::string bytes = read_file(path_);
+  bytes[68] = 'x';
+  write_file(here_.file("other.db"), bytes);
+  EXPECT_THROW(FragmentDatabase::open(here_.file("missing")), FileError);
+  EXPECT_THROW(FragmentDatabase::open(here_.path()), FileError);
+  for (const char* name : {"empty", "text", "other.db"}) {
+    EXPECT_THROW(FragmentDatabase::open(here_.file(name)), ParseError) << name;
+  }
+  EXPECT_THROW(made(), FileError) << "it is there";
+  EXPECT_EQ(here_.file("moves.db"), path_);
+}
+
+TEST_F(FragmentDatabaseTest, RefusesANewerVersion) {
+  made();
+  std::string bytes = read_file(path_);
+  bytes[63] = 2;
+  write_file(here_.file("newer.db"), bytes);
+  EXPECT_THROW(FragmentDatabase::open(here_.file("newer.db")), VersionError);
+}
+
+TEST_F(FragmentDatabaseTest, DamageIsAnErrorNotACrash) {
+  filled();
+  const std::string bytes = read_file(path_);
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int round = 0; round < 150; ++round) {
+    std::string damaged = bytes;
+    for (int k = 0; k < 40; ++k) damaged[100 + random() % (damaged.size() - 100)] = static_cast<char>(random());
+    if (round % 5 == 0) damaged.resize(damaged.size() / 2);
+    write_file(here_.file("damaged.db"), damaged, Overwrite::kAllow);
+    try {
+      const FragmentDatabase database = FragmentDatabase::open(here_.file("damaged.db"));
+      for (const FragmentRecord& fragment : database.fragments()) (void)database.motion(fragment);
+      (void)database.labels();
+      (void)database.pairs();
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 30);
+}
+
+TEST_F(FragmentDatabaseTest, ReadingChangesNoByte) {
+  filled();
+  const std::string before = read_file(path_);
+  const FragmentDatabase database = FragmentDatabase::open(path_);
+  (void)database.fragments();
+  (void)database.motion(1);
+  (void)database.counts();
+  EXPECT_EQ(read_file(path_), before);
+  FragmentDatabase again = FragmentDatabase::open(path_);
+  EXPECT_THROW(again.add_blend(1, 2, 0.5), FileError) << "opened for reading";
+  EXPECT_EQ(read_file(path_), before);
+}
+
+/// Adds clips "0", "1", ... of this many fragments and labels one of each, until it is killed.
+[[noreturn]] void write_until_killed(const std::string& path, const Motion& motion) {
+  FragmentDatabase database = FragmentDatabase::open(path, Access::kReadWrite);
+  for (int i = static_cast<int>(database.clips().size());; ++i) {
+    FragmentDatabase::Transaction transaction(database);
+    database.add_clip({std::to_string(i), "", ""}, motion, {{0, 30}, {30, 60}, {60, 90}});
+    LabelRecord label;
+    label.target.id = database.fragments().back().id;
+    label.rater = "eve";
+    label.labelled_at = kNoon;
+    label.rating[kFlow] = 0.0;
+    database.add_labels({label});
+    transaction.commit();
+    // Tells what is committed.
+    if (::write(STDOUT_FILENO, "+", 1) != 1) ::_exit(1);
+  }
+}
+
+/// Runs the writer in a process of its own, kills it after `delay`; how often it said that it has committed.
+int commits_until_killed(const std::string& path, const Motion& motion, std::chrono::microseconds delay) {
+  int ends[2];
+  if (::pipe(ends) != 0) return -1;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
+    write_until_killed(path, motion);
+  }
+  ::close(ends[1]);
+  std::this_thread::sleep_for(delay);
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  int commits = 0;
+  for (char said = 0; ::read(ends[0], &said, 1) == 1;) ++commits;
+  ::close(ends[0]);
+  return WIFSIGNALED(status) ? commits : -1;
+}
+
+TEST_F(FragmentDatabaseTest, AKilledWriterLosesNothingCommittedAndLeavesNoHalf) {
+  constexpr int kRounds = 40;
+  made();
+  std::mt19937 random(3);
+  std::int64_t told = 0, interrupted = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    const int commits = commits_until_killed(path_, walk_, std::chrono::microseconds(1000 + random() % 40000));
+    ASSERT_GE(commits, 0);
+    told += commits;
+    interrupted += std::filesystem::exists(path_ + "-journal") ? 1 : 0;
+    const FragmentDatabase database = FragmentDatabase::open(path_);
+    const DatabaseCounts counts = database.counts();
+    // The last commit may have been done and not told.
+    ASSERT_TRUE(counts.clips == told || counts.clips == told + 1) << counts.clips << " of " << told;
+    told = counts.clips;
+    ASSERT_EQ(counts.fragments, 3 * counts.clips);
+    ASSERT_EQ(counts.labels, counts.clips);
+    ASSERT_NO_THROW(database.check_integrity());
+  }
+  EXPECT_GT(told, 0);
+  EXPECT_GT(interrupted, 0) << "no round was killed while it wrote";
+}
+
+TEST_F(FragmentDatabaseTest, TwoWritersTakeTurns) {
+  filled();
+  FragmentDatabase one = FragmentDatabase::open(path_, Access::kReadWrite);
+  std::thread other([&] {
+    FragmentDatabase two = FragmentDatabase::open(path_, Access::kReadWrite);
+    for (int i = 0; i < 20; ++i) two.add_blend(1, 2, 0.01 * i);
+  });
+  for (int i = 0; i < 20; ++i) one.add_blend(2, 3, 0.01 * i);
+  other.join();
+  EXPECT_EQ(one.counts().blends, 40);
+}
+
+}  // namespace
+}  // namespace strut::test
