@@ -16,12 +16,14 @@ namespace {
 
 using Blends = std::vector<LabelledBlend>;
 
-constexpr std::size_t kMostBlends = 240;             // that settings are chosen on; more would change them by little
+// Blends that settings are looked for on, and that they are refined on; more would change them by little.
+constexpr std::size_t kRoughBlends = 120, kMostBlends = 240;
 constexpr int kFragmentFolds = 3;                    // a partition of fragments
 constexpr int kPartitions = 2;                       // of fragments, each into kFragmentFolds
 constexpr std::size_t kLeastGroups = 3;              // that groups are left out of
 constexpr double kPriorDeviation = 1.0;              // of logarithms of settings
-constexpr double kFirstStep = 0.8, kLastStep = 0.2;  // of logarithms of settings
+constexpr double kFirstStep = 0.8, kLastStep = 0.4;  // of logarithms of settings
+constexpr int kMostSweeps = 3;                       // by one step
 constexpr double kLeastSetting = 1e-3;
 constexpr double kCoverage = 0.9, kNormalQuantile = 1.6448536269514722;  // of 90 % of a normal distribution
 // As many labels as the calibration of none counts for.
@@ -190,19 +192,19 @@ class Judge {
 };
 
 /// Evenly over the list.
-Blends thinned(const Blends& blends) {
-  if (blends.size() <= kMostBlends) return blends;
+Blends thinned(const Blends& blends, std::size_t most) {
+  if (blends.size() <= most) return blends;
   Blends result;
-  for (std::size_t n = 0; n < kMostBlends; ++n) result.push_back(blends[n * blends.size() / kMostBlends]);
+  for (std::size_t n = 0; n < most; ++n) result.push_back(blends[n * blends.size() / most]);
   return result;
 }
 
 /// Steps every setting up and down, by ever smaller steps, and keeps what scores higher.
-ResidualSettings climb(const Judge& judge, ResidualSettings settings, std::size_t count) {
+ResidualSettings climb(const Judge& judge, ResidualSettings settings, std::size_t count, double first_step) {
   double best = judge.score(settings);
-  for (double step = kFirstStep; step >= kLastStep; step *= 0.5) {
+  for (double step = first_step; step >= kLastStep; step *= 0.5) {
     bool improved = true;
-    for (int sweep = 0; improved && sweep < 3; ++sweep) {
+    for (int sweep = 0; improved && sweep < kMostSweeps; ++sweep) {
       improved = false;
       for (std::size_t k = 0; k < count; ++k) {
         for (const double ratio : {std::exp(step), std::exp(-step)}) {
@@ -228,8 +230,12 @@ ResidualSettings choose_settings(const BlendInputs& inputs, int factor, const Bl
   if (is_linear) settings.kinematics = settings.labels = settings.posture = 0.0;
   const Blends rated = rated_blends(inputs, factor, blends);
   if (rated.empty()) return settings;
-  const Judge judge(inputs, factor, thinned(rated));
-  settings = climb(judge, settings, is_linear ? kNumLinear : kAll.size());
+  const std::size_t count = is_linear ? kNumLinear : kAll.size();
+  if (rated.size() > kRoughBlends) {
+    settings = climb(Judge(inputs, factor, thinned(rated, kRoughBlends)), settings, count, kFirstStep);
+  }
+  const Judge judge(inputs, factor, thinned(rated, kMostBlends));
+  settings = climb(judge, settings, count, rated.size() > kRoughBlends ? kLastStep : kFirstStep);
   settings.calibration = judge.calibration(settings);
   return settings;
 }
