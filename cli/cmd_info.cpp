@@ -4,6 +4,7 @@
 #include "blend_report.h"
 #include "bvh_options.h"
 #include "commands.h"
+#include "effort_model_info.h"
 #include "model_info.h"
 #include "terminal.h"
 
@@ -18,6 +19,7 @@
 
 #include <strut/blend/gait_model_io.h>
 #include <strut/core/error.h>
+#include <strut/effort/effort_model_io.h>
 #include <strut/io/bvh.h>
 #include <strut/model/style_model_io.h>
 #include <strut/motion/kinematics.h>
@@ -190,6 +192,7 @@ class InfoReport {
       const std::string bytes = read_file(path);
       if (is_style_model(bytes)) return add_model(path, bytes);
       if (blend::is_gait_model(bytes)) return add_gait_model(path, bytes);
+      if (effort::is_effort_model(bytes)) return add_effort_model(path, bytes);
       clips_.push_back(facts_of(path, parse_bvh(bytes, path, options_.read, &diagnostics_)));
     } catch (const Error& error) {
       if (failure_) say(fmt::format("{}\n", error.what()));
@@ -222,6 +225,12 @@ class InfoReport {
     const auto model = blend::parse_gait_model(bytes, path);
     if (!options_.json) print_gait_model(path, *model);
     models_.push_back(gait_model_as_json(path, *model));
+  }
+
+  void add_effort_model(const std::string& path, const std::string& bytes) {
+    const auto model = effort::parse_effort_model(bytes, path);
+    if (!options_.json) print_effort_model(path, *model);
+    models_.push_back(effort_model_as_json(path, *model));
   }
 
   /// What was assumed stands in the report itself.

@@ -5,4 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
-namespace strut::cli {}  // namespace strut::cli
+namespace strut::cli {
+
+void add_effort_apply(CLI::App& effort);
+void add_effort_blend(CLI::App& effort);
+void add_effort_learn(CLI::App& effort);
+
+}  // namespace strut::cli

@@ -30,9 +30,9 @@ void check_durations(int first, int second, double limit) {
   const double ratio = (second - 1.0) / (first - 1.0);
   if (std::max(ratio, 1.0 / ratio) <= limit * (1.0 + kRounding)) return;
   const std::string times = std::to_string(limit).substr(0, 4);
-  throw InvalidArgument(
-      "second", "a fragment at most " + times + " times as long as the first and no shorter than it over " + times,
-      std::to_string(second) + " frames against " + std::to_string(first));
+  throw InvalidArgument("second", "a fragment at most " + times + " times as long as the first, or as short",
+                        std::to_string(second) + " frames against " + std::to_string(first),
+                        "trim the longer one, or allow a larger slope limit");
 }
 
 /// dv/du, the mean over each of `count` equal steps of u, of a warp that covers 1/m of x with every entry.

@@ -157,7 +157,8 @@ void SpaceTimeBlend::Parts::check_angles(double largest) const {
   };
   const auto refuse = [&](const std::string& expected, const std::string& got) {
     const long frame = std::lround(timing.first[static_cast<std::size_t>(where)]);
-    throw InvalidArgument("second", expected, got + " at frame " + std::to_string(frame) + " of the first");
+    throw InvalidArgument("second", expected, got + " at frame " + std::to_string(frame) + " of the first",
+                          "blend movements of like content, cut alike");
   };
   for (int i = 0; i < first.num_joints(); ++i) {
     Quaterniond before = Quaterniond::Identity();
@@ -236,6 +237,14 @@ SpaceTimeBlend& SpaceTimeBlend::operator=(SpaceTimeBlend&&) noexcept = default;
 
 const std::optional<motion::Legs>& SpaceTimeBlend::legs() const {
   return parts_->legs;
+}
+
+double SpaceTimeBlend::least_linear_alpha() const noexcept {
+  return parts_->timing.least_alpha;
+}
+
+double SpaceTimeBlend::greatest_linear_alpha() const noexcept {
+  return parts_->timing.greatest_alpha;
 }
 
 Blend SpaceTimeBlend::at(double alpha) const {

@@ -58,6 +58,9 @@ class SpaceTimeBlend {
   /// fragment is the nearer one. Throws InvalidArgument if alpha is not within [-2, 3]. Cost O(frames x joints).
   [[nodiscard]] Blend at(double alpha) const;
 
+  /// From where to where time is linear in alpha.
+  [[nodiscard]] double least_linear_alpha() const noexcept;
+  [[nodiscard]] double greatest_linear_alpha() const noexcept;
   /// The body's legs, whose plants `at` returns; none for a body without.
   [[nodiscard]] const std::optional<motion::Legs>& legs() const;
 
