@@ -25,6 +25,7 @@ void add_effort(CLI::App& app) {
   command->footer(kSteps);
   command->require_subcommand(1);
   add_effort_blend(*command);
+  add_effort_next(*command);
 }
 
 }  // namespace strut::cli
