@@ -87,12 +87,18 @@ std::string in_quotes(const std::string& text) {
   return result + '"';
 }
 
-/// A line per blend, with what is known of it and empty fields for what a rater says.
-std::string table_of(const effort::EffortExamples& examples, const std::vector<NumberedBlend>& blends) {
-  std::string text = "target,id,first,second,alpha,rater,flow,weight,time,space,comment\n";
+/// A line per blend in the columns of labels, with empty fields for what a rater says; beside them, for people, the
+/// blend's number and what its fragments are called.
+std::string table_of(const effort::EffortExamples& examples, const std::vector<NumberedBlend>& blends,
+                     const std::string& rater) {
+  std::string text =
+      "first,second,alpha,rater,labelled_at,source,flow,weight,time,space,repeat,comment,"
+      "blend,first_name,second_name\n";
   for (const auto& [id, blend] : blends) {
-    text += fmt::format("blend,{},{},{},{:g},,,,,,\n", id, in_quotes(name_of(examples, blend.first)),
-                        in_quotes(name_of(examples, blend.second)), blend.alpha);
+    const auto id_of = [&](int fragment) { return examples.ids[static_cast<std::size_t>(fragment)]; };
+    text += fmt::format("{},{},{},{},,person,,,,,,,{},{},{}\n", id_of(blend.first), id_of(blend.second), blend.alpha,
+                        rater.empty() ? "" : in_quotes(rater), id, in_quotes(name_of(examples, blend.first)),
+                        in_quotes(name_of(examples, blend.second)));
   }
   return text;
 }
@@ -157,7 +163,7 @@ void run(const NextArguments& arguments) {
   }
   if (!arguments.folder.empty()) write_clips(examples, blends, arguments, diagnostics);
   if (!arguments.table.empty()) {
-    write_file(arguments.table, table_of(examples, blends), overwrite_if(arguments.force));
+    write_file(arguments.table, table_of(examples, blends, arguments.learn.rater), overwrite_if(arguments.force));
   }
   transaction.commit();
   print_suggestions(examples, blends);

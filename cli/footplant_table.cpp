@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <strut/core/error.h>
+#include <strut/io/csv.h>
 #include <strut/motion/legs.h>
 #include <strut/postprocess/footplant_detector.h>
 
@@ -20,11 +21,6 @@ namespace strut::cli {
 namespace {
 
 using motion::Footplant;
-
-/// A file's name as one field.
-std::string field(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
 
 std::vector<std::string> parts_of(const std::string& path) {
   std::vector<std::string> parts;
@@ -98,7 +94,7 @@ std::string format_footplants(const std::vector<ClipFootplants>& clips) {
   std::string table = "clip,foot,begin,end,begin_s,end_s\n";
   for (const ClipFootplants& clip : clips) {
     for (const Footplant& plant : clip.footplants) {
-      table += fmt::format("{},{},{},{},{:.4f},{:.4f}\n", field(clip.path), foot_name(plant.foot), plant.begin,
+      table += fmt::format("{},{},{},{},{:.4f},{:.4f}\n", csv_field(clip.path), foot_name(plant.foot), plant.begin,
                            plant.end, plant.begin / clip.frame_rate, plant.end / clip.frame_rate);
     }
   }
