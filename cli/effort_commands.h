@@ -10,5 +10,6 @@ namespace strut::cli {
 void add_effort_apply(CLI::App& effort);
 void add_effort_blend(CLI::App& effort);
 void add_effort_learn(CLI::App& effort);
+void add_effort_next(CLI::App& effort);
 
 }  // namespace strut::cli
