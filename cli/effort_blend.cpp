@@ -16,6 +16,7 @@
 
 #include <strut/align/time_warp.h>
 #include <strut/core/error.h>
+#include <strut/effort/effort.h>
 #include <strut/effort/space_time_blend.h>
 #include <strut/io/bvh.h>
 #include <strut/metrics/foot_slide.h>
@@ -26,7 +27,6 @@ namespace strut::cli {
 namespace {
 
 constexpr double kCmPerMetre = 100.0;
-constexpr double kLeastAlpha = -2.0, kGreatestAlpha = 3.0;
 
 struct EffortBlendArguments {
   std::string first, second, output;
@@ -120,7 +120,7 @@ void add_effort_blend(CLI::App& effort) {
       ->add_option("--alpha", arguments->alpha,
                    "How much of the second: 0 the first, 1 the second, outside 0 to 1 beyond them")
       ->required()
-      ->check(number_in(kLeastAlpha, kGreatestAlpha));
+      ->check(number_in(effort::kLeastAlpha, effort::kLargestAlpha));
   command->add_option("-o,--output", arguments->output, "BVH file to write")->required();
   command
       ->add_option("--slope-limit", arguments->blend.slope_limit,

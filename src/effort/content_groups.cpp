@@ -187,7 +187,7 @@ ContentGroups group_fragments(const std::vector<FrameMatrix>& fragments, const G
           {first, second, pair.cost, pair.share_at_limit, verdict_of(pair, is_one_group, groups.threshold, options)});
     }
   }
-  std::sort(groups.pairs.begin(), groups.pairs.end(), [](const FragmentPair& a, const FragmentPair& b) {
+  std::sort(groups.pairs.begin(), groups.pairs.end(), [](const MatchedPair& a, const MatchedPair& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });
   return groups;

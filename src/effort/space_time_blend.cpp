@@ -14,6 +14,7 @@
 #include <utility>
 
 #include <strut/core/error.h>
+#include <strut/effort/effort.h>
 #include <strut/effort/space_time_blend.h>
 #include <strut/math/rotation.h>
 #include <strut/postprocess/footplant_detector.h>
@@ -27,7 +28,6 @@ using Eigen::Quaterniond;
 using Eigen::VectorXd;
 
 constexpr int kLeastFrames = 4;
-constexpr double kLeastAlpha = -2.0, kGreatestAlpha = 3.0;
 constexpr double kLargestSlope = 16.0;
 // A body that leans farther than this from upright has no heading to speak of.
 constexpr double kLargestTilt = 150.0 * std::numbers::pi / 180.0;
@@ -248,7 +248,7 @@ double SpaceTimeBlend::greatest_linear_alpha() const noexcept {
 }
 
 Blend SpaceTimeBlend::at(double alpha) const {
-  if (!(alpha >= kLeastAlpha && alpha <= kGreatestAlpha)) {
+  if (!(alpha >= kLeastAlpha && alpha <= kLargestAlpha)) {
     throw InvalidArgument("alpha", "a number from -2 to 3", std::to_string(alpha));
   }
   const math::SmoothCurve time = blended_time(parts_->timing, alpha);

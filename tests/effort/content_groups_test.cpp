@@ -46,7 +46,7 @@ std::vector<FrameMatrix> fragments(int contents) {
 
 int count(const ContentGroups& groups, PairVerdict verdict) {
   return static_cast<int>(std::count_if(groups.pairs.begin(), groups.pairs.end(),
-                                        [verdict](const FragmentPair& pair) { return pair.verdict == verdict; }));
+                                        [verdict](const MatchedPair& pair) { return pair.verdict == verdict; }));
 }
 
 TEST(GroupFragments, JoinsTheStylesOfEveryContent) {
@@ -94,7 +94,7 @@ TEST(GroupFragments, NeverPairsWhatIsMoreThanTwiceAsLong) {
 TEST(GroupFragments, ReportsTheCostOfWholeOnWhole) {
   const auto made = fragments(2);
   const ContentGroups groups = group_fragments(made);
-  for (const FragmentPair& pair : groups.pairs) {
+  for (const MatchedPair& pair : groups.pairs) {
     const FrameMatrix &a = made[static_cast<std::size_t>(pair.first)], &b = made[static_cast<std::size_t>(pair.second)];
     const FragmentMatch match = a.rows() <= b.rows() ? whole_match(a, b) : whole_match(b, a);
     EXPECT_LT(pair.first, pair.second);
@@ -158,7 +158,7 @@ TEST(GroupFragments, TellsRealGesturesApart) {
   }
   const ContentGroups groups = group_fragments(made);
   EXPECT_GT(count(groups, PairVerdict::kAccepted), 0);
-  for (const FragmentPair& pair : groups.pairs) {
+  for (const MatchedPair& pair : groups.pairs) {
     if (pair.verdict != PairVerdict::kAccepted) continue;
     EXPECT_EQ(content_of[static_cast<std::size_t>(pair.first)], content_of[static_cast<std::size_t>(pair.second)]);
   }

@@ -32,7 +32,7 @@ enum class PairVerdict {
 const char* name_of(PairVerdict verdict) noexcept;
 
 /// Two fragments that are of one group or like.
-struct FragmentPair {
+struct MatchedPair {
   int first = 0, second = 0;    ///< indices of the fragments, first < second
   double cost = 0.0;            ///< of the whole of one on the whole of the other (whole_matches) [m]
   double share_at_limit = 0.0;  ///< of their path
@@ -44,8 +44,8 @@ struct ContentGroups {
   std::vector<int> group;  ///< of every fragment, from 0 in the order of their first fragments; one that is
                            ///< like no other is a group of its own
   int num_groups = 0;
-  double threshold = 0.0;           ///< the cost below which pairs count as like [m]
-  std::vector<FragmentPair> pairs;  ///< by first, then second
+  double threshold = 0.0;          ///< the cost below which pairs count as like [m]
+  std::vector<MatchedPair> pairs;  ///< by first, then second
 };
 
 /// Groups `fragments` (each frames x dims, in one space and at one rate: project).

@@ -31,6 +31,10 @@ inline constexpr std::array<std::array<const char*, 2>, kNumFactors> kFactorPole
 /// Flow, Weight and Time of one movement, in that order: labels lie in [-1, 1], predictions may lie a little outside.
 using EffortVector = Eigen::Vector3d;
 
+/// How far a blend of two fragments may go: 0 is the first, 1 the second, what lies outside exaggerates.
+inline constexpr double kLeastAlpha = -2.0;
+inline constexpr double kLargestAlpha = 3.0;
+
 /// What stands where a factor was left out or is not known.
 inline constexpr double kNotRated = std::numeric_limits<double>::quiet_NaN();
 
@@ -38,6 +42,8 @@ inline constexpr double kNotRated = std::numeric_limits<double>::quiet_NaN();
 using Rating = Eigen::Vector4d;
 
 /// Whether a number is a label rather than kNotRated.
-inline bool is_rated(double value) { return !std::isnan(value); }
+inline bool is_rated(double value) {
+  return !std::isnan(value);
+}
 
 }  // namespace strut::effort

@@ -36,9 +36,6 @@ struct FragmentPair {
   friend bool operator==(const FragmentPair&, const FragmentPair&) = default;
 };
 
-inline constexpr double kLeastAlpha = -2.0;   ///< what can be blended (SpaceTimeBlend)
-inline constexpr double kLargestAlpha = 3.0;  ///< the same
-
 /// What is predicted of a blend.
 struct EffortPrediction {
   EffortVector effort;     ///< mean; kNotRated where one of the fragments is not rated
