@@ -7,11 +7,8 @@
 namespace strut::cli {
 
 std::vector<std::string> read_csv_names(const std::string& path) {
-  const std::string text = read_file(path);
-  Reader reader(path, text);
-  if (reader.only_blank_left()) reader.fail(0, "a line of column names", "nothing");
   std::vector<std::string> names;
-  for (const Field& field : reader.next()) names.emplace_back(field.text);
+  for (const CsvField& field : read_csv(path).header.fields) names.push_back(field.text);
   return names;
 }
 
