@@ -31,6 +31,7 @@ void add_effort(CLI::App& app) {
   add_effort_apply(*command);
   add_effort_blend(*command);
   add_effort_learn(*command);
+  add_effort_next(*command);
 }
 
 }  // namespace strut::cli

@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <strut/io/csv.h>
+
 namespace strut::cli {
 namespace {
 
@@ -47,12 +49,6 @@ std::string seconds(const motion::FrameRange& frames, double frame_rate) {
 void print_factor(const AppliedSnippet& snippet, effort::Factor factor) {
   fmt::print("  {:>18}", fmt::format("{:>5} {:>5} {:>5}", number(snippet.wanted[factor]),
                                      number(snippet.blend.predicted[factor]), number(snippet.after[factor])));
-}
-
-std::string quoted(const std::string& text) {
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "'" : std::string(1, c);
-  return field + "\"";
 }
 
 Json number_or_null(double value) {
@@ -96,11 +92,11 @@ std::string csv_line(const AppliedSnippet& snippet, double rate, const EffortMod
   std::string line = fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}", snippet.input.begin / rate, snippet.input.end / rate,
                                  snippet.output.begin / rate, snippet.output.end / rate);
   const bool is_kept = snippet.group == effort::kNoMatch;
-  line += is_kept
-              ? ",,,,,,"
-              : fmt::format(",{},{},{:.6g},{},{},{:.6g}", snippet.group, quoted(model.fragment(snippet.fragment).name),
-                            snippet.match_cost, quoted(model.fragment(snippet.blend.first).name),
-                            quoted(model.fragment(snippet.blend.second).name), snippet.blend.alpha);
+  line += is_kept ? ",,,,,,"
+                  : fmt::format(",{},{},{:.6g},{},{},{:.6g}", snippet.group,
+                                csv_field(model.fragment(snippet.fragment).name), snippet.match_cost,
+                                csv_field(model.fragment(snippet.blend.first).name),
+                                csv_field(model.fragment(snippet.blend.second).name), snippet.blend.alpha);
   for (const auto& [name, effort] : told(snippet)) {
     for (int factor = 0; factor < effort::kNumPredictedFactors; ++factor) {
       line += is_kept || !effort::is_rated(effort[factor]) ? "," : fmt::format(",{:.6g}", effort[factor]);

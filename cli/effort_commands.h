@@ -15,5 +15,6 @@ void add_effort_estimate(CLI::App& app);
 void add_effort_apply(CLI::App& effort);
 void add_effort_blend(CLI::App& effort);
 void add_effort_learn(CLI::App& effort);
+void add_effort_next(CLI::App& effort);
 
 }  // namespace strut::cli

@@ -10,6 +10,11 @@
 #include <strut/effort/space_time_blend.h>
 
 namespace strut::study {
+namespace {
+
+constexpr std::size_t kPairsOfAKind = 40;  // of one content, within folds and across: what a person might label
+
+}  // namespace
 
 Showing StudyBlend::showing(const FragmentSet& set) const {
   return {set.fragments[static_cast<std::size_t>(first)].group, cues, blend_id(first, second, alpha)};
@@ -57,7 +62,9 @@ std::vector<BlendPlan> plans_to_label(const FragmentSet& set, const std::vector<
       const bool same = folds[static_cast<std::size_t>(pair.first)] == folds[static_cast<std::size_t>(pair.second)];
       (same ? within : across).push_back(pair);
     }
+    std::shuffle(within.begin(), within.end(), random);
     std::shuffle(across.begin(), across.end(), random);
+    within.resize(std::min(within.size(), kPairsOfAKind));
     across.resize(std::min(across.size(), within.size()));
     within.insert(within.end(), across.begin(), across.end());
     plans.insert(plans.end(), within.begin(), within.end());

@@ -31,7 +31,7 @@ std::vector<StudyBlend> make_blends(const FragmentSet& set, const std::vector<Bl
 /// Every fragment's fold, 0 to `num_folds` - 1, as evenly as possible within every group.
 std::vector<int> fragment_folds(const FragmentSet& set, int num_folds, std::uint64_t seed);
 
-/// Pairs to be labelled: all within one fold and content, and as many that are of two folds. Each once inside [0.1,
+/// Pairs to be labelled: of each content 40 within one fold, and as many that are of two folds. Each once inside [0.1,
 /// 0.9] and once outside, in [-0.5, -0.1] or [1.1, 1.5].
 std::vector<BlendPlan> plans_to_label(const FragmentSet& set, const std::vector<int>& folds, std::uint64_t seed);
 

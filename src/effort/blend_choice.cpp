@@ -42,6 +42,12 @@ double squared_error(const EffortVector& effort, const EffortVector& wanted, con
   return sum;
 }
 
+/// What a blend beyond its fragments counts as error.
+double exaggeration(double alpha, const ChoiceOptions& options) {
+  const double beyond = std::max({0.0, -alpha, alpha - 1.0});
+  return options.beyond_weight * beyond * beyond;
+}
+
 Eigen::VectorXd alphas_between(double least, double greatest, double step) {
   const auto count = static_cast<Eigen::Index>(std::lround((greatest - least) / step)) + 1;
   return Eigen::VectorXd::LinSpaced(std::max<Eigen::Index>(count, 2), least, greatest);
@@ -72,7 +78,7 @@ std::vector<Candidate> coarse_search(const EffortRegression& regression, const s
     for (Eigen::Index a = 0; a < alphas.size(); ++a) {
       const auto row = static_cast<Eigen::Index>(p);
       const EffortVector effort(predicted[kFlow](row, a), predicted[kWeight](row, a), predicted[kTime](row, a));
-      const double error = squared_error(effort, wanted, options.weights);
+      const double error = squared_error(effort, wanted, options.weights) + exaggeration(alphas[a], options);
       if (std::isnan(error) || error >= best.error) continue;
       best.error = error;
       best.blend.alpha = alphas[a];
@@ -92,7 +98,8 @@ void refine(Candidate& candidate, const EffortRegression& regression, const Effo
   const auto predicted = regression.predict(candidate.blend.first, candidate.blend.second, alphas);
   std::optional<double> best;
   for (std::size_t a = 0; a < predicted.size(); ++a) {
-    const double error = squared_error(predicted[a].effort, wanted, options.weights);
+    const double error = squared_error(predicted[a].effort, wanted, options.weights) +
+                         exaggeration(alphas[static_cast<Eigen::Index>(a)], options);
     if (std::isnan(error) || (best && error >= *best)) continue;
     best = candidate.error = error;
     candidate.blend.alpha = alphas[static_cast<Eigen::Index>(a)];
@@ -162,6 +169,9 @@ void check(const ChoiceOptions& options) {
   if (!(options.greatest_alpha >= 1.0 && options.greatest_alpha <= kLargestAlpha)) {
     throw InvalidArgument("greatest_alpha", "a number from 1 to 3", std::to_string(options.greatest_alpha));
   }
+  if (!(options.beyond_weight >= 0.0) || !std::isfinite(options.beyond_weight)) {
+    throw InvalidArgument("beyond_weight", "a number of at least 0", std::to_string(options.beyond_weight));
+  }
   if (options.num_candidates < 1 || options.num_candidates > kMostCandidates) {
     throw InvalidArgument("num_candidates", "1 to 200", std::to_string(options.num_candidates));
   }
@@ -183,9 +193,9 @@ struct BlendChooser::Parts {
   std::shared_ptr<const SpaceTimeBlend> blend_of(int first, int second);
   std::vector<Candidate> single_fragments(int group, const EffortVector& wanted, const EffortVector& weights) const;
   std::optional<Blend> synthesized(const ChosenBlend& chosen);
-  void score_again(Candidate& candidate, int group, const EffortVector& wanted, const EffortVector& weights);
-  ChosenBlend best_of(std::vector<Candidate> sorted, int group, const EffortVector& wanted,
-                      const ChoiceOptions& options);
+  void score_again(Candidate& candidate, int group, const EffortVector& wanted, const ChoiceOptions& options);
+  std::vector<ChosenBlend> best_of(std::vector<Candidate> sorted, int group, const EffortVector& wanted,
+                                   const ChoiceOptions& options);
 };
 
 std::shared_ptr<const SpaceTimeBlend> BlendChooser::Parts::blend_of(int first, int second) {
@@ -236,7 +246,7 @@ std::vector<Candidate> BlendChooser::Parts::single_fragments(int group, const Ef
 
 /// The error is NaN if it cannot be synthesized.
 void BlendChooser::Parts::score_again(Candidate& candidate, int group, const EffortVector& wanted,
-                                      const EffortVector& weights) {
+                                      const ChoiceOptions& options) {
   const auto blend = synthesized(candidate.blend);
   candidate.error = std::nan("");
   if (!blend || is_too_short(blend->motion)) return;
@@ -247,27 +257,30 @@ void BlendChooser::Parts::score_again(Candidate& candidate, int group, const Eff
     scored.expected[factor] =
         combined(scored.predicted[factor], scored.deviation[factor], seen.effort[factor], seen.deviation[factor]);
   }
-  candidate.error = squared_error(scored.expected, wanted, weights);
+  candidate.error = squared_error(scored.expected, wanted, options.weights) + exaggeration(scored.alpha, options);
 }
 
 /// Scores the first candidates again, and the next ones while none can be blended.
-ChosenBlend BlendChooser::Parts::best_of(std::vector<Candidate> sorted, int group, const EffortVector& wanted,
-                                         const ChoiceOptions& options) {
+std::vector<ChosenBlend> BlendChooser::Parts::best_of(std::vector<Candidate> sorted, int group,
+                                                      const EffortVector& wanted, const ChoiceOptions& options) {
   const bool scores_again = options.num_candidates > 1;
   while (!sorted.empty()) {
     std::vector<Candidate> candidates = take_diverse(sorted, options.num_candidates);
     tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
       const double predicted = candidates[i].error;
-      score_again(candidates[i], group, wanted, options.weights);
+      score_again(candidates[i], group, wanted, options);
       if (scores_again || std::isnan(candidates[i].error)) return;
       candidates[i].error = predicted;
       candidates[i].blend.expected = candidates[i].blend.predicted;
     });
     std::erase_if(candidates, [](const Candidate& candidate) { return std::isnan(candidate.error); });
     if (candidates.empty()) continue;
-    const Candidate& best = *std::min_element(candidates.begin(), candidates.end());
-    ChosenBlend chosen = best.blend;
-    chosen.error = std::sqrt(best.error);
+    std::sort(candidates.begin(), candidates.end());
+    std::vector<ChosenBlend> chosen;
+    for (const Candidate& candidate : candidates) {
+      chosen.push_back(candidate.blend);
+      chosen.back().error = std::sqrt(candidate.error);
+    }
     return chosen;
   }
   throw InvalidArgument("group", "fragments that can be synthesized", "none");
@@ -290,6 +303,11 @@ const EffortModel& BlendChooser::model() const noexcept {
 }
 
 ChosenBlend BlendChooser::choose(int group, const EffortVector& wanted, const ChoiceOptions& options) const {
+  return candidates(group, wanted, options).front();
+}
+
+std::vector<ChosenBlend> BlendChooser::candidates(int group, const EffortVector& wanted,
+                                                  const ChoiceOptions& options) const {
   check(wanted, options.weights);
   check(options);
   check_group(model(), group);

@@ -29,7 +29,8 @@ void check(const Motion& motion, const Skeleton& skeleton, const ApplyOptions& o
     throw InvalidArgument("motion", "4 frames or more", std::to_string(motion.num_frames()));
   }
   for (const auto& [name, value] :
-       {std::pair{"unasked_weight", options.unasked_weight}, std::pair{"shortest_gap", options.shortest_gap}}) {
+       {std::pair{"unasked_weight", options.unasked_weight}, std::pair{"shortest_gap", options.shortest_gap},
+        std::pair{"join_weight", options.join_weight}}) {
     if (!(value >= 0.0) || !std::isfinite(value)) {
       throw InvalidArgument(name, "a number of at least 0", std::to_string(value));
     }
@@ -56,13 +57,12 @@ void close_gaps(std::vector<Snippet>& snippets, double shortest) {
 }
 
 /// A motion as a model sees it and the snippets it falls into, in its own frames.
-std::vector<Snippet> snippets_of(const EffortModel& model, const Motion& motion, const Motion& on_model,
+std::vector<Snippet> snippets_of(const EffortModel& model, const Motion& motion, const FrameMatrix& features,
                                  const ApplyOptions& options) {
   std::vector<KnownFragment> known;
   for (std::size_t i = 0; i < model.fragments().size(); ++i) {
     known.push_back({model.features(static_cast<int>(i)), model.fragments()[i].group});
   }
-  const FrameMatrix features = matching_features(on_model, model.parts().upright, model.parts().space);
   auto snippets = segment_motion(known, features, {model.parts().threshold, options.boundary_frames});
   for (Snippet& snippet : snippets) {
     snippet.frames = {at_rate(snippet.frames.begin, motion.frame_rate(), motion.num_frames()),
@@ -100,17 +100,18 @@ class Application {
         options_(options),
         scale_(leg_length(motion) / leg_length(chooser.model().fragments().front().motion)),
         on_model_(on_skeleton(motion, chooser.model().shared_skeleton(), 1.0 / scale_)),
+        features_(matching_features(on_model_, chooser.model().parts().upright, chooser.model().parts().space)),
         legs_(motion::find_legs(motion)) {
     if (legs_) plants_ = postprocess::detect_footplants(motion, *legs_);
   }
 
   AppliedEffort run(Diagnostics* diagnostics) {
     AppliedEffort result{motion_, {}, 0.0, plants_};
-    const std::vector<Snippet> snippets = snippets_of(chooser_.model(), motion_, on_model_, options_);
+    const std::vector<Snippet> snippets = snippets_of(chooser_.model(), motion_, features_, options_);
     result.coverage = coverage(snippets);
     std::vector<Part> parts;
     for (const Snippet& snippet : snippets) {
-      result.snippets.push_back(choose(snippet));
+      result.snippets.push_back(choose(snippet, result.snippets));
       parts.push_back(part_of(result.snippets.back()));
     }
     if (result.coverage > 0.0) put_together(parts, result, diagnostics);
@@ -120,7 +121,7 @@ class Application {
 
  private:
   /// What to put in a snippet's place.
-  AppliedSnippet choose(const Snippet& snippet) const {
+  AppliedSnippet choose(const Snippet& snippet, const std::vector<AppliedSnippet>& before) const {
     AppliedSnippet applied;
     applied.input = applied.output = snippet.frames;
     applied.group = snippet.group;
@@ -135,8 +136,35 @@ class Application {
       applied.wanted[factor] = std::clamp(applied.before[factor], -1.0, 1.0);
       choice.weights[factor] *= options_.unasked_weight;
     }
-    applied.blend = chooser_.choose(snippet.group, known(applied.wanted, snippet.group), choice);
+    const auto candidates = chooser_.candidates(snippet.group, known(applied.wanted, snippet.group), choice);
+    applied.blend = candidates.front();
+    if (!before.empty()) applied.blend = smoothest(candidates, end_of(before.back()));
     return applied;
+  }
+
+  /// Of candidates that are about as near to what is wanted, the one that goes on from the posture `end`.
+  [[nodiscard]] ChosenBlend smoothest(const std::vector<ChosenBlend>& candidates, const Eigen::VectorXd& end) const {
+    const auto price = [&](const ChosenBlend& blend) {
+      const double step = (edge_of(blend, false) - end).norm() / chooser_.model().parts().threshold;
+      return blend.error * blend.error + options_.join_weight * step * step;
+    };
+    return *std::min_element(candidates.begin(), candidates.end(),
+                             [&](const ChosenBlend& a, const ChosenBlend& b) { return price(a) < price(b); });
+  }
+
+  /// The posture with which a blend begins or ends.
+  [[nodiscard]] Eigen::VectorXd edge_of(const ChosenBlend& blend, bool at_end) const {
+    const auto edge = [&](int fragment) {
+      const FrameMatrix& rows = chooser_.model().features(fragment);
+      return rows.row(at_end ? rows.rows() - 1 : 0).transpose().eval();
+    };
+    return (1.0 - blend.alpha) * edge(blend.first) + blend.alpha * edge(blend.second);
+  }
+
+  [[nodiscard]] Eigen::VectorXd end_of(const AppliedSnippet& snippet) const {
+    if (snippet.group != kNoMatch) return edge_of(snippet.blend, true);
+    const auto last = std::lround((snippet.input.end - 1) * kFeatureRate / motion_.frame_rate());
+    return features_.row(std::min<Eigen::Index>(last, features_.rows() - 1)).transpose();
   }
 
   /// Without the factors that nobody asked for and nothing of the group is labelled in.
@@ -210,6 +238,7 @@ class Application {
   const ApplyOptions& options_;
   double scale_;  // the input's legs over the model's
   Motion on_model_;
+  FrameMatrix features_;  // of the input, as matching sees it
   std::optional<motion::Legs> legs_;
   std::vector<motion::Footplant> plants_;  // of the input
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -19,6 +18,7 @@ constexpr double kFastQuantile = 0.9;
 constexpr double kLeastSpeed = 0.02;       // body sizes a second, of fast movement: below, a clip stands still
 constexpr double kSmoothing = 1.0 / 30.0;  // [s] to either side: what motion capture at the usual rate resolves
 constexpr double kReturn = 0.6;            // a posture has returned that is nearer by this share than the one between
+constexpr double kStride = 0.015;          // how far a leg is at least forward that strides, as left_forward
 constexpr int kLeastReturns = 3;           // on end: two whole cycles
 
 void check(const CutOptions& options) {
@@ -174,26 +174,33 @@ class TurningPoints {
   std::vector<int> frames_;
 };
 
-/// What tells the two turning points of a cycle apart: how far the left half is forward, how wide and how high the body
-/// is, as second moments of the joints [m^2].
-std::array<double, 3> posture_moments(const Eigen::Ref<const Eigen::RowVectorXd>& posture) {
-  std::array<double, 3> moments{};
+/// What tells the two turning points of a cycle apart.
+struct PostureMoments {
+  double left_forward = 0.0;  ///< the left leg, and the right arm, which swings with it: above the pelvis the other way
+  double width = 0.0, height = 0.0;
+};
+
+/// Of the joints, in squares of the pelvis's height.
+PostureMoments posture_moments(const Eigen::Ref<const Eigen::RowVectorXd>& posture) {
+  PostureMoments moments;
+  const double pelvis = std::max(std::abs(posture[1]), 1e-9);
   for (Index j = 0; j + 2 < posture.size(); j += 3) {
-    moments[0] += posture[j] * posture[j + 2];
-    moments[1] += posture[j] * posture[j];
-    moments[2] += posture[j + 1] * posture[j + 1];
+    const double x = posture[j] / pelvis, y = posture[j + 1] / pelvis, z = posture[j + 2] / pelvis;
+    moments.left_forward += x * z * (1.0 - y);
+    moments.width += x * x;
+    moments.height += y * y;
   }
   return moments;
 }
 
 /// Whether a cycle that goes from `a` to `b` and back should begin with `b` instead.
 bool begins_with_other(const Clip& clip, int a, int b) {
-  const auto of_a = posture_moments(clip.postures.row(a)), of_b = posture_moments(clip.postures.row(b));
-  std::size_t clearest = 0;
-  for (std::size_t k = 1; k < of_a.size(); ++k) {
-    if (std::abs(of_b[k] - of_a[k]) > std::abs(of_b[clearest] - of_a[clearest])) clearest = k;
-  }
-  return of_b[clearest] > of_a[clearest];
+  const PostureMoments of_a = posture_moments(clip.postures.row(a)), of_b = posture_moments(clip.postures.row(b));
+  const bool mirrors = of_a.left_forward * of_b.left_forward < 0.0 &&
+                       std::min(std::abs(of_a.left_forward), std::abs(of_b.left_forward)) > kStride;
+  if (mirrors) return of_b.left_forward > 0.0;
+  const double wider = of_b.width - of_a.width, higher = of_b.height - of_a.height;
+  return (std::abs(wider) > std::abs(higher) ? wider : higher) > 0.0;
 }
 
 /// Whether the posture of turning point k is back at k + 2.

@@ -321,9 +321,10 @@ void check(const std::vector<Piece>& pieces, const JoinOptions& options) {
   const Motion& first = pieces.front().motion;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const Motion& motion = pieces[k].motion;
-    const std::string where = "piece " + std::to_string(k);
+    std::string where = "piece ";
+    where += std::to_string(k);
     const std::string mismatch = describe_mismatch(first.skeleton(), motion.skeleton());
-    if (!mismatch.empty()) throw SkeletonMismatch(where + " does not fit the first: " + mismatch);
+    if (!mismatch.empty()) throw SkeletonMismatch(where.append(" does not fit the first: ").append(mismatch));
     if (motion.num_frames() == 0) throw InvalidArgument(where, "at least one frame", "none");
     if (motion.frame_rate() != first.frame_rate()) {
       throw InvalidArgument(where, std::to_string(first.frame_rate()) + " frames/s, as the first",

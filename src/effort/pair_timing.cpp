@@ -20,7 +20,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 // Over how long a warp of counts is smoothed, and the curves of the answer [s].
-constexpr double kSmoothing = 0.1;
+constexpr double kCountSmoothing = 0.1;
+constexpr double kSmoothing = 0.2;
 // No rate of a blend that is linear in alpha is less than this share of the nearer fragment's.
 constexpr double kLeastRate = 0.1;
 // Durations whose ratio exceeds the slope limit by less than this share have it.
@@ -63,7 +64,7 @@ VectorXd found_warp(const FrameMatrix& input, const FrameMatrix& output, const V
   counts.slope_limit = std::max(2.0, std::ceil(slope_limit));
   counts.weights = weights;
   const VectorXd counted = align::time_warp(input, output, counts).correspondence().differential_warp;
-  const double frames = kSmoothing * frame_rate;
+  const double frames = kCountSmoothing * frame_rate;
   align::ContinuousWarpOptions options;
   options.slope_limit = slope_limit;
   options.weights = weights;

@@ -15,9 +15,11 @@ namespace strut::effort {
 
 /// How a blend is chosen.
 struct ChoiceOptions {
-  double least_alpha = -0.5;                    ///< how far the first fragment may be exaggerated, in [-2, 0]
-  double greatest_alpha = 1.5;                  ///< how far the second may be, in [1, 3]
-  int num_candidates = 20;                      ///< that are synthesized and scored again; 1: Eq. 2 alone, 1 ... 200
+  double least_alpha = -0.5;    ///< how far the first fragment may be exaggerated, in [-2, 0]
+  double greatest_alpha = 1.5;  ///< how far the second may be, in [1, 3]
+  int num_candidates = 20;      ///< that are synthesized and scored again; 1: Eq. 2 alone, 1 ... 200
+  double beyond_weight = 0.05;  ///< what exaggeration counts: this times the squared distance of alpha from [0, 1] is
+                                ///< added to the squared error, so that of blends that do the milder is taken, >= 0
   EffortVector weights = EffortVector::Ones();  ///< what an error in each factor counts, >= 0, not all 0
 };
 
@@ -36,7 +38,7 @@ struct ChosenBlend {
   EffortVector estimated = EffortVector::Constant(
       kNotRated);  ///< of the synthesized blend, by how it moves; kNotRated if it was not synthesized
   EffortVector expected = EffortVector::Constant(kNotRated);  ///< both together, weighted by their variances
-  double error = 0.0;                                         ///< weighted distance of `expected` from what was wanted
+  double error = 0.0;  ///< weighted distance of `expected` from what was wanted, exaggeration counted
 };
 
 /// Chooses, and keeps alignments of pairs it has blended before. Const calls are thread-safe; what is chosen does not
@@ -56,6 +58,10 @@ class BlendChooser {
   /// option is out of range, nothing is wanted, or no fragment of the group is labelled in all factors that are. Cost:
   /// predictions of all pairs, and candidates alignments the first time (some ms each), on several threads.
   [[nodiscard]] ChosenBlend choose(int group, const EffortVector& wanted, const ChoiceOptions& options = {}) const;
+
+  /// What choose looks at: the candidates that can be blended, the nearest first. Throws as choose.
+  [[nodiscard]] std::vector<ChosenBlend> candidates(int group, const EffortVector& wanted,
+                                                    const ChoiceOptions& options = {}) const;
 
   /// The single fragment whose own label is nearest: the baseline. Throws as choose.
   [[nodiscard]] ChosenBlend choose_fragment(int group, const EffortVector& wanted,

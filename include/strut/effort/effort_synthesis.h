@@ -21,6 +21,8 @@ struct ApplyOptions {
   ChoiceOptions choice;          ///< its weights are of the factors that are asked for
   double unasked_weight = 0.25;  ///< a factor not asked for shall stay as the snippet shows it; what an error in it
                                  ///< counts against one that is asked for, >= 0
+  double join_weight = 0.1;      ///< what a join counts when one of the candidates is chosen: this times its squared
+                                 ///< distance in posture over the model's threshold is added to the squared error, >= 0
   double boundary_frames = 3.0;  ///< SegmentationOptions::boundary_frames
   double shortest_gap = 0.3;     ///< shorter unmatched stretches are left to the snippets beside them [s], >= 0
   bool clean_feet = true;        ///< hold planted feet

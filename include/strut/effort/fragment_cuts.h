@@ -25,8 +25,8 @@ struct CutOptions {
 /// Pauses belong to no fragment. Between them the turning points are the minima of speed that stand out by turn_depth;
 /// a clip's end counts as one if it is as slow. Where the posture at a turning point returns at the next but one, and
 /// that at least three times on end, the unit is the cycle: of its two turning points it begins with that where the
-/// body's left half is farther forward, or, if they differ more in that, where it is wider or higher. What is left at
-/// the clip's ends, cut off in the middle of a movement, belongs to no fragment; nor does what is too short.
+/// left leg is forward, or, if neither leg strides, where the body is wider or higher, whichever differs more. What is
+/// left at the clip's ends, cut off in the middle of a movement, belongs to no fragment; nor does what is too short.
 ///
 /// A clip that hardly moves gives none. Throws InvalidArgument if an option is out of range. Cost O(frames x joints).
 std::vector<motion::FrameRange> suggest_cuts(const Motion& motion, const CutOptions& options = {});
