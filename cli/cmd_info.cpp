@@ -20,6 +20,7 @@
 #include <strut/blend/gait_model_io.h>
 #include <strut/core/error.h>
 #include <strut/effort/effort_model_io.h>
+#include <strut/effort/fragment_database.h>
 #include <strut/io/bvh.h>
 #include <strut/model/style_model_io.h>
 #include <strut/motion/kinematics.h>
@@ -192,6 +193,7 @@ class InfoReport {
       const std::string bytes = read_file(path);
       if (is_style_model(bytes)) return add_model(path, bytes);
       if (blend::is_gait_model(bytes)) return add_gait_model(path, bytes);
+      if (effort::is_fragment_database(bytes)) return add_database(path);
       if (effort::is_effort_model(bytes)) return add_effort_model(path, bytes);
       clips_.push_back(facts_of(path, parse_bvh(bytes, path, options_.read, &diagnostics_)));
     } catch (const Error& error) {
@@ -231,6 +233,32 @@ class InfoReport {
     const auto model = effort::parse_effort_model(bytes, path);
     if (!options_.json) print_effort_model(path, *model);
     models_.push_back(effort_model_as_json(path, *model));
+  }
+
+  void add_database(const std::string& path) {
+    const auto database = effort::FragmentDatabase::open(path);
+    const effort::DatabaseCounts counts = database.counts();
+    const Json facts = {{"file", path},
+                        {"kind", "fragment database"},
+                        {"frame_rate", database.frame_rate()},
+                        {"num_joints", database.skeleton()->num_joints()},
+                        {"clips", counts.clips},
+                        {"frames", counts.frames},
+                        {"fragments", counts.fragments},
+                        {"groups", counts.groups},
+                        {"pairs", counts.pairs},
+                        {"accepted_pairs", counts.accepted_pairs},
+                        {"blends", counts.blends},
+                        {"labels", counts.labels},
+                        {"raters", counts.raters},
+                        {"estimates", counts.estimates}};
+    if (!options_.json) {
+      fmt::print("{}: fragment database\n", path);
+      for (const auto& [name, value] : facts.items()) {
+        if (value.is_number()) fmt::print("  {:<15} {}\n", name, value.dump());
+      }
+    }
+    models_.push_back(facts);
   }
 
   /// What was assumed stands in the report itself.
