@@ -24,6 +24,10 @@ void add_effort(CLI::App& app) {
       app.add_subcommand("effort", "Make motion freer, stronger or more sudden, by labelled examples (Laban Effort)");
   command->footer(kSteps);
   command->require_subcommand(1);
+  add_effort_segment(*command);
+  add_effort_match(*command);
+  add_effort_labels(*command);
+  add_effort_estimate(*command);
   add_effort_apply(*command);
   add_effort_blend(*command);
   add_effort_learn(*command);

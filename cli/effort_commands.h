@@ -7,6 +7,11 @@
 
 namespace strut::cli {
 
+void add_effort_segment(CLI::App& app);
+void add_effort_match(CLI::App& app);
+void add_effort_labels(CLI::App& app);
+void add_effort_estimate(CLI::App& app);
+
 void add_effort_apply(CLI::App& effort);
 void add_effort_blend(CLI::App& effort);
 void add_effort_learn(CLI::App& effort);
