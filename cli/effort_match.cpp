@@ -54,7 +54,7 @@ std::vector<FrameMatrix> features_of(const std::vector<Motion>& motions) {
 
 std::vector<PairRecord> records_of(const effort::ContentGroups& groups, const std::vector<FragmentRecord>& fragments) {
   std::vector<PairRecord> records;
-  for (const effort::FragmentPair& pair : groups.pairs) {
+  for (const effort::MatchedPair& pair : groups.pairs) {
     const auto [first, second] = std::minmax(fragments[static_cast<std::size_t>(pair.first)].id,
                                              fragments[static_cast<std::size_t>(pair.second)].id);
     records.push_back({first, second, pair.cost, pair.share_at_limit,
