@@ -244,7 +244,8 @@ TEST(EffortRegression, RefusesToPredictWhatIsNoBlend) {
   EXPECT_THROW(at(regression, 0, 3, 0.5), InvalidArgument);
   EXPECT_THROW(at(regression, -1, 1, 0.5), InvalidArgument);
   EXPECT_THROW(at(regression, 0, 1, 4.0), InvalidArgument);
-  EXPECT_THROW(regression.predict(std::vector<FragmentPair>{{0, 9}}, Eigen::VectorXd::Zero(1)), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(regression.predict(std::vector<FragmentPair>{{0, 9}}, Eigen::VectorXd::Zero(1))),
+               InvalidArgument);
 }
 
 TEST(EffortRegression, RefusesBrokenNumbers) {
