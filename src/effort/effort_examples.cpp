@@ -34,6 +34,7 @@ struct Labels {
   std::map<LabelTarget, EffortVector> effort;
   std::set<std::string> raters;
   int count = 0;
+  bool are_synthetic = false;
 };
 
 Labels estimates_of(const FragmentDatabase& database) {
@@ -49,29 +50,29 @@ Labels estimates_of(const FragmentDatabase& database) {
   return labels;
 }
 
-/// The mean of what one rater said, or of what all did.
+[[noreturn]] void refuse_raters(const FragmentDatabase& database, const std::string& rater) {
+  std::set<std::string> all;
+  for (const LabelRecord& label : database.labels()) all.insert(label.rater);
+  if (all.empty()) throw InvalidArgument("database", "labels to learn from", "none", kGiveLabels);
+  std::string names;
+  for (const std::string& name : all) names += (names.empty() ? "" : ", ") + name;
+  if (!rater.empty()) throw InvalidArgument("rater", "one of those who labelled: " + names, "'" + rater + "'");
+  throw InvalidArgument("database", "people's labels to learn from", "synthetic raters' alone: " + names,
+                        "--rater NAME learns from one of those");
+}
+
+/// The mean of what one rater said, or of what all people did.
 Labels labels_of(const FragmentDatabase& database, const std::string& rater) {
   Labels labels;
-  std::map<LabelTarget, std::vector<EffortVector>> of_rater;
-  std::set<std::string> all;
   for (const LabelRecord& label : database.labels()) {
-    all.insert(label.rater);
-    if (!rater.empty() && label.rater != rater) continue;
-    of_rater[label.target].push_back(effort_of(label.rating));
+    const bool is_synthetic = label.source == LabelSource::kSynthetic;
+    if (rater.empty() ? is_synthetic : label.rater != rater) continue;
     labels.raters.insert(label.rater);
+    labels.are_synthetic |= is_synthetic;
     ++labels.count;
   }
-  if (labels.count == 0) {
-    std::string names;
-    for (const std::string& name : all) names += (names.empty() ? "" : ", ") + name;
-    if (!names.empty()) throw InvalidArgument("rater", "one of those who labelled: " + names, "'" + rater + "'");
-    throw InvalidArgument("database", "labels to learn from", "none", kGiveLabels);
-  }
-  if (rater.empty()) {
-    for (const MeanLabel& mean : database.mean_labels()) labels.effort[mean.target] = effort_of(mean.mean);
-  } else {
-    for (const auto& [target, ratings] : of_rater) labels.effort[target] = mean_rating(ratings);
-  }
+  if (labels.count == 0) refuse_raters(database, rater);
+  for (const MeanLabel& mean : database.mean_labels(rater)) labels.effort[mean.target] = effort_of(mean.mean);
   std::erase_if(labels.effort, [](const auto& entry) { return !says_something(entry.second); });
   return labels;
 }
@@ -206,6 +207,7 @@ EffortExamples effort_examples(const FragmentDatabase& database, const LearnOpti
   examples.space = fit_feature_space(features);
   examples.threshold = threshold_of(accepted);
   examples.num_labels = labels.count;
+  examples.are_synthetic = labels.are_synthetic;
   examples.raters.assign(labels.raters.begin(), labels.raters.end());
   warn_of_little(examples, options.from_estimates, diagnostics);
   return examples;
