@@ -9,6 +9,7 @@
 
 #include <strut/core/error.h>
 #include <strut/effort/descriptors.h>
+#include <strut/effort/fragment_names.h>
 #include <strut/effort/learn_effort.h>
 #include <strut/motion/legs.h>
 
@@ -111,18 +112,15 @@ double threshold_of(const std::vector<PairRecord>& accepted) {
   return std::max(by_threshold > 0.0 ? by_threshold : by_person, kLeast);
 }
 
-std::string name_of(const FragmentRecord& record) {
-  return record.clip_name + ":" + std::to_string(record.frames.begin) + "-" + std::to_string(record.frames.end);
-}
-
 /// The labelled ones of `read`, their groups numbered anew, and what is usual in each.
-void take_labelled(EffortExamples& examples, const std::vector<ReadFragment>& read, const Labels& labels) {
+void take_labelled(EffortExamples& examples, const std::vector<ReadFragment>& read, const Labels& labels,
+                   const std::map<RecordId, std::string>& names) {
   std::map<int, int> group_of;
   for (const ReadFragment& fragment : read) {
     const auto label = labels.effort.find({TargetKind::kFragment, fragment.record.id});
     if (label == labels.effort.end()) continue;
     const int group = group_of.emplace(fragment.record.group, static_cast<int>(group_of.size())).first->second;
-    examples.fragments.push_back({name_of(fragment.record), group, fragment.motion, label->second});
+    examples.fragments.push_back({names.at(fragment.record.id), group, fragment.motion, label->second});
     examples.ids.push_back(fragment.record.id);
     examples.performers.push_back(fragment.record.performer);
     examples.actions.push_back(fragment.record.action);
@@ -188,7 +186,7 @@ EffortExamples effort_examples(const FragmentDatabase& database, const LearnOpti
   const Labels labels = options.from_estimates ? estimates_of(database) : labels_of(database, options.rater);
   const std::vector<ReadFragment> read = grouped_fragments(database);
   EffortExamples examples;
-  take_labelled(examples, read, labels);
+  take_labelled(examples, read, labels, fragment_names(database));
   if (examples.fragments.empty()) {
     throw InvalidArgument("database", "labelled fragments in groups of like content", "none", kGiveLabels);
   }
