@@ -9,12 +9,12 @@ namespace {
 
 constexpr const char* kSteps =
     "From a folder of clips to a slider:\n"
-    "  strut effort segment moves.db clips/*.bvh             cut the clips into fragments\n"
-    "  strut effort match moves.db                           group fragments of like content\n"
-    "  strut effort estimate moves.db                        give every fragment a first Effort, or label them:\n"
-    "                                                        strut effort labels moves.db --import labels.csv\n"
-    "  strut effort learn moves.db -o moves.struteffort      learn how labels carry over to blends\n"
+    "  strut effort segment moves.db clips/*.bvh                      cut the clips into fragments\n"
+    "  strut effort match moves.db                                    group fragments of like content\n"
+    "  strut effort estimate moves.db                                 give every fragment a first Effort\n"
+    "  strut effort learn moves.db --estimates -o moves.struteffort   learn how that carries over to blends\n"
     "  strut effort apply moves.struteffort clip.bvh --time 0.8 -o sudden.bvh\n"
+    "With labels of people: strut effort labels moves.db --import labels.csv, then learn without --estimates.\n"
     "Flow runs from free (-1) to bound (1), Weight from light to strong, Time from sustained to sudden.";
 
 }  // namespace

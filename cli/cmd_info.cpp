@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/core.h>
@@ -78,6 +81,19 @@ ClipFacts facts_of(const std::string& path, BvhClip clip) {
   }
   facts.distance = (last - first).norm();
   return facts;
+}
+
+/// What is enough to know a database by, which may be far too long to be read whole. Nothing of a pipe, whose bytes
+/// come once.
+std::string first_bytes(const std::string& path) {
+  constexpr std::size_t kEnough = 100;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  std::string bytes(kEnough, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
 }
 
 const char* guessed(bool is_given) {
@@ -190,10 +206,10 @@ class InfoReport {
 
   void add(const std::string& path) {
     try {
+      if (effort::is_fragment_database(first_bytes(path))) return add_database(path);
       const std::string bytes = read_file(path);
       if (is_style_model(bytes)) return add_model(path, bytes);
       if (blend::is_gait_model(bytes)) return add_gait_model(path, bytes);
-      if (effort::is_fragment_database(bytes)) return add_database(path);
       if (effort::is_effort_model(bytes)) return add_effort_model(path, bytes);
       clips_.push_back(facts_of(path, parse_bvh(bytes, path, options_.read, &diagnostics_)));
     } catch (const Error& error) {

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <strut/effort/fragment_database.h>
 #include <strut/effort/label_table.h>
@@ -17,17 +19,19 @@
 namespace strut::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using effort::FragmentDatabase;
 using effort::LabelRecord;
 
 struct LabelsArguments {
   std::string database, table_in, table_out;
-  bool estimates = false, force = false;
+  bool estimates = false, json = false, force = false;
 };
 
 /// One rater's labels, and how far blind repeats lie from the first labels of the same target.
 struct RaterReport {
   int labels = 0, repeats = 0;
+  bool is_synthetic = false;
   std::map<effort::LabelTarget, effort::Rating> first;
   effort::Rating squares = effort::Rating::Zero();
   Eigen::Vector4i count = Eigen::Vector4i::Zero();
@@ -39,6 +43,7 @@ std::map<std::string, RaterReport> reports_of(const FragmentDatabase& database) 
   for (const LabelRecord& label : labels) {
     RaterReport& report = reports[label.rater];
     ++report.labels;
+    report.is_synthetic |= label.source == effort::LabelSource::kSynthetic;
     if (!label.is_repeat) report.first.emplace(label.target, label.rating);
   }
   for (const LabelRecord& label : labels) {
@@ -56,6 +61,11 @@ std::map<std::string, RaterReport> reports_of(const FragmentDatabase& database) 
   return reports;
 }
 
+/// How far repeats differ in a factor (RMS); kNotRated without any.
+double difference(const RaterReport& report, int factor) {
+  return report.count[factor] == 0 ? effort::kNotRated : std::sqrt(report.squares[factor] / report.count[factor]);
+}
+
 void print_raters(const FragmentDatabase& database) {
   const auto reports = reports_of(database);
   if (reports.empty()) {
@@ -63,16 +73,46 @@ void print_raters(const FragmentDatabase& database) {
                database.path(), database.path());
     return;
   }
-  fmt::print("{:<16} {:>7} {:>8}   how far repeats differ (RMS): flow, weight, time, space\n", "rater", "labels",
-             "repeats");
+  fmt::print("{:<16} {:<9} {:>7} {:>8}   how far repeats differ (RMS): flow, weight, time, space\n", "rater", "source",
+             "labels", "repeats");
   for (const auto& [rater, report] : reports) {
     std::string differences;
     for (int k = 0; k < effort::kNumFactors; ++k) {
-      differences +=
-          report.count[k] == 0 ? "      -" : fmt::format(" {:6.3f}", std::sqrt(report.squares[k] / report.count[k]));
+      const double value = difference(report, k);
+      differences += effort::is_rated(value) ? fmt::format(" {:6.3f}", value) : "      -";
     }
-    fmt::print("{:<16} {:>7} {:>8}  {}\n", rater, report.labels, report.repeats, differences);
+    fmt::print("{:<16} {:<9} {:>7} {:>8}  {}\n", rater, report.is_synthetic ? "synthetic" : "person", report.labels,
+               report.repeats, differences);
   }
+}
+
+/// The raters, and what an import did.
+void print_json(const FragmentDatabase& database, const std::optional<effort::LabelImport>& taken) {
+  Json all = {{"database", database.path()}};
+  if (taken) {
+    all["import"] = {
+        {"added", taken->added}, {"there_already", taken->repeated}, {"estimates_left_out", taken->estimates}};
+  }
+  all["raters"] = Json::array();
+  for (const auto& [rater, report] : reports_of(database)) {
+    Json differences = Json::object();
+    for (int k = 0; k < effort::kNumFactors; ++k) {
+      const double value = difference(report, k);
+      if (effort::is_rated(value)) differences[effort::kFactorNames.at(static_cast<std::size_t>(k))] = value;
+    }
+    all["raters"].push_back({{"rater", rater},
+                             {"source", report.is_synthetic ? "synthetic" : "person"},
+                             {"labels", report.labels},
+                             {"repeats", report.repeats},
+                             {"repeats_differ_rms", std::move(differences)}});
+  }
+  fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void tell(const effort::LabelImport& taken, const FragmentDatabase& database) {
+  fmt::print("{} labels added, {} there already, {} estimates left out\n", taken.added, taken.repeated,
+             taken.estimates);
+  fmt::print("next: strut effort learn {} -o moves.struteffort\n", database.path());
 }
 
 void run(const LabelsArguments& arguments) {
@@ -82,16 +122,15 @@ void run(const LabelsArguments& arguments) {
   const bool writes = !arguments.table_in.empty();
   FragmentDatabase database =
       FragmentDatabase::open(arguments.database, writes ? effort::Access::kReadWrite : effort::Access::kRead);
-  if (writes) {
-    const auto result = effort::import_labels(database, arguments.table_in);
-    fmt::print("{} labels added, {} there already, {} estimates left out\n", result.added, result.repeated,
-               result.estimates);
-  }
+  std::optional<effort::LabelImport> taken;
+  if (writes) taken = effort::import_labels(database, arguments.table_in);
+  if (taken && !arguments.json) tell(*taken, database);
   if (!arguments.table_out.empty()) {
     write_file(arguments.table_out, effort::format_labels(database, arguments.estimates),
                overwrite_if(arguments.force));
-    fmt::print("written {}\n", arguments.table_out);
+    if (!arguments.json) fmt::print("written {}\n", arguments.table_out);
   }
+  if (arguments.json) return print_json(database, taken);
   if (!writes && arguments.table_out.empty()) print_raters(database);
 }
 
@@ -105,6 +144,7 @@ void add_effort_labels(CLI::App& app) {
                       "Take in labels (CSV): fragment, rater, labelled_at, flow, weight, time, space; all or none");
   command->add_option("--export", arguments->table_out, "Write all labels as such a table");
   command->add_flag("--estimates", arguments->estimates, "Export estimates too, named as such, to start from");
+  command->add_flag("--json", arguments->json, "Print the raters, and what was taken in, as JSON");
   command->add_flag("--force", arguments->force, "Overwrite an existing table");
   command->callback([arguments] { run(*arguments); });
 }

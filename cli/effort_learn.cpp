@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 struct LearnArguments {
   std::string database, output;
   effort::LearnOptions options;
-  bool validates = true, force = false;
+  bool validates = true, json = false, force = false;
 };
 
 /// A number for every performer; empty if none or only one is known.
@@ -97,6 +97,7 @@ std::string provenance_of(const LearnArguments& arguments, const effort::EffortE
   const Json all = {{"strut", version()},
                     {"database", arguments.database},
                     {"labels", examples.num_labels},
+                    {"synthetic", examples.are_synthetic},
                     {"labelled_fragments", examples.fragments.size()},
                     {"labelled_blends", examples.blends.size()},
                     {"raters", examples.raters},
@@ -127,9 +128,15 @@ void run(const LearnArguments& arguments) {
   const auto model =
       effort::learn_effort(examples, arguments.options, provenance_of(arguments, examples, validation), &diagnostics);
   effort::write_effort_model(arguments.output, *model, overwrite_if(arguments.force));
+  if (arguments.json) {
+    fmt::print("{}\n",
+               effort_model_as_json(arguments.output, *model).dump(2, ' ', false, Json::error_handler_t::replace));
+    return;
+  }
   print_examples(examples, arguments.options.from_estimates);
   if (!validation.empty()) fmt::print("{}", validation_report(validation, group_names(examples)));
   print_effort_model(arguments.output, *model);
+  fmt::print("next: strut effort apply {} clip.bvh --time 0.8 -o sudden.bvh\n", arguments.output);
 }
 
 }  // namespace
@@ -141,7 +148,9 @@ void add_effort_learn(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "Effort model (.struteffort) to write")->required();
   CLI::Option* estimates = command->add_flag("--estimates", arguments->options.from_estimates,
                                              "Learn from the program's estimates instead of people's labels");
-  command->add_option("--rater", arguments->options.rater, "Learn from this rater's labels alone (default: the mean)")
+  command
+      ->add_option("--rater", arguments->options.rater,
+                   "Learn from this rater's labels alone (default: the mean of people)")
       ->type_name("NAME")
       ->excludes(estimates);
   std::map<std::string, int> methods;
@@ -160,6 +169,7 @@ void add_effort_learn(CLI::App& app) {
       ->type_name("METHOD");
   command->add_flag_callback(
       "--no-validation", [arguments] { arguments->validates = false; }, "Do not predict left-out labels");
+  command->add_flag("--json", arguments->json, "Print what strut info --json prints of the model");
   command->add_flag("--force", arguments->force, "Overwrite an existing file");
   command->callback([arguments] { run(*arguments); });
 }

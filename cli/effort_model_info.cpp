@@ -17,6 +17,7 @@ using effort::EffortModel;
 
 /// What is told of a group.
 struct GroupFacts {
+  int group = 0;
   int fragments = 0, pairs = 0, blends = 0;
   double seconds = 0.0;                                                  ///< of a fragment, in the mean
   std::array<double, effort::kNumPredictedFactors> least{}, greatest{};  ///< labels; kNotRated without one
@@ -25,6 +26,7 @@ struct GroupFacts {
 
 GroupFacts facts_of(const EffortModel& model, int group) {
   GroupFacts facts;
+  facts.group = group;
   facts.least.fill(effort::kNotRated);
   facts.greatest.fill(effort::kNotRated);
   facts.fragments = static_cast<int>(model.group(group).size());
@@ -51,24 +53,56 @@ const char* method_name(const EffortModel& model) {
   return effort::kRegressionMethodNames.at(static_cast<std::size_t>(model.parts().regression.parts().method));
 }
 
+std::string counted(int number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
 std::string range(double least, double greatest) {
   return effort::is_rated(least) ? fmt::format("{:.2f} to {:.2f}", least, greatest) : "-";
+}
+
+/// Whose labels the model is learnt from.
+const char* source_of(const EffortModel& model) {
+  if (model.parts().are_estimates) return "the program's estimates";
+  const Json provenance = provenance_as_json(model.parts().provenance);
+  const auto synthetic = provenance.is_object() ? provenance.find("synthetic") : provenance.end();
+  const bool is_synthetic = synthetic != provenance.end() && synthetic->is_boolean() && synthetic->get<bool>();
+  return is_synthetic ? "a synthetic rater's labels" : "people's labels";
+}
+
+/// The groups in which something can be blended, the largest first.
+std::vector<GroupFacts> groups_by_size(const EffortModel& model) {
+  std::vector<GroupFacts> groups;
+  for (int group = 0; group < model.num_groups(); ++group) {
+    if (model.group(group).size() > 1) groups.push_back(facts_of(model, group));
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const GroupFacts& a, const GroupFacts& b) { return a.fragments > b.fragments; });
+  return groups;
 }
 
 }  // namespace
 
 void print_effort_model(const std::string& path, const EffortModel& model) {
   fmt::print("{}: effort model, {} joints, {:g} frames/s, learnt from {}\n", path, model.skeleton().num_joints(),
-             model.frame_rate(), model.parts().are_estimates ? "the program's estimates" : "people's labels");
+             model.frame_rate(), source_of(model));
   fmt::print("  method '{}', content is alike below {:.3f} m\n", method_name(model), model.parts().threshold);
   fmt::print("{:>6} {:>10} {:>7} {:>7} {:>8}  {:<14} {:<14} {:<14} {}\n", "group", "fragments", "pairs", "blends",
              "seconds", "flow", "weight", "time", "e.g.");
-  for (int group = 0; group < model.num_groups(); ++group) {
-    const GroupFacts facts = facts_of(model, group);
-    fmt::print("{:>6} {:>10} {:>7} {:>7} {:>8.2f}  {:<14} {:<14} {:<14} {}\n", group, facts.fragments, facts.pairs,
-               facts.blends, facts.seconds, range(facts.least[0], facts.greatest[0]),
+  constexpr std::size_t kMostShown = 20;
+  const std::vector<GroupFacts> groups = groups_by_size(model);
+  const std::size_t shown = std::min(kMostShown, groups.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    const GroupFacts& facts = groups[i];
+    fmt::print("{:>6} {:>10} {:>7} {:>7} {:>8.2f}  {:<14} {:<14} {:<14} {}\n", facts.group, facts.fragments,
+               facts.pairs, facts.blends, facts.seconds, range(facts.least[0], facts.greatest[0]),
                range(facts.least[1], facts.greatest[1]), range(facts.least[2], facts.greatest[2]), facts.example);
   }
+  if (shown < groups.size()) {
+    fmt::print("  and {} smaller groups (strut info --json shows all)\n", groups.size() - shown);
+  }
+  const int alone = model.num_groups() - static_cast<int>(groups.size());
+  if (alone > 0) fmt::print("  {} of one fragment: nothing there can be blended\n", counted(alone, "group"));
 }
 
 Json effort_model_as_json(const std::string& path, const EffortModel& model) {

@@ -183,7 +183,8 @@ void add_effort_next(CLI::App& app) {
       ->type_name("FOLDER");
   CLI::Option* estimates = command->add_flag("--estimates", arguments->learn.from_estimates,
                                              "Where fragments are not labelled yet, go by the program's estimates");
-  command->add_option("--rater", arguments->learn.rater, "Go by this rater's labels alone (default: the mean)")
+  command
+      ->add_option("--rater", arguments->learn.rater, "Go by this rater's labels alone (default: the mean of people)")
       ->type_name("NAME")
       ->excludes(estimates);
   command->add_flag("--force", arguments->force, "Overwrite existing files");

@@ -45,16 +45,26 @@ std::string method_table(const ValidationResult& result) {
   return text;
 }
 
+bool is_judged(const ValidationResult& result, Eigen::Index group) {
+  return std::any_of(result.methods.begin(), result.methods.end(),
+                     [&](const MethodScore& score) { return effort::is_rated(score.group_error[group]); });
+}
+
+/// Groups of which a blend was judged, at most kMostShown.
 std::string group_table(const ValidationResult& result, const std::vector<std::string>& names) {
+  constexpr int kMostShown = 20;
   std::string text = fmt::format("  {:<24}", "action");
   for (const MethodScore& score : result.methods) text += fmt::format("{:>10}", name_of(score.method));
   text += '\n';
+  int judged = 0;
   for (Eigen::Index group = 0; group < result.methods.front().group_error.size(); ++group) {
+    if (!is_judged(result, group) || ++judged > kMostShown) continue;
     const auto named = static_cast<std::size_t>(group) < names.size();
     text += fmt::format("  {:<24}", named ? names[static_cast<std::size_t>(group)] : fmt::format("group {}", group));
     for (const MethodScore& score : result.methods) text += fmt::format("{:>10}", number(score.group_error[group]));
     text += '\n';
   }
+  if (judged > kMostShown) text += fmt::format("  and {} more\n", judged - kMostShown);
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #include <strut/core/error.h>
 #include <strut/effort/descriptors.h>
+#include <strut/effort/fragment_names.h>
 #include <strut/effort/learn_effort.h>
 #include <strut/motion/legs.h>
 
@@ -34,6 +35,7 @@ struct Labels {
   std::map<LabelTarget, EffortVector> effort;
   std::set<std::string> raters;
   int count = 0;
+  bool are_synthetic = false;
 };
 
 Labels estimates_of(const FragmentDatabase& database) {
@@ -49,29 +51,29 @@ Labels estimates_of(const FragmentDatabase& database) {
   return labels;
 }
 
-/// The mean of what one rater said, or of what all did.
+[[noreturn]] void refuse_raters(const FragmentDatabase& database, const std::string& rater) {
+  std::set<std::string> all;
+  for (const LabelRecord& label : database.labels()) all.insert(label.rater);
+  if (all.empty()) throw InvalidArgument("database", "labels to learn from", "none", kGiveLabels);
+  std::string names;
+  for (const std::string& name : all) names += (names.empty() ? "" : ", ") + name;
+  if (!rater.empty()) throw InvalidArgument("rater", "one of those who labelled: " + names, "'" + rater + "'");
+  throw InvalidArgument("database", "people's labels to learn from", "synthetic raters' alone: " + names,
+                        "--rater NAME learns from one of those");
+}
+
+/// The mean of what one rater said, or of what all people did.
 Labels labels_of(const FragmentDatabase& database, const std::string& rater) {
   Labels labels;
-  std::map<LabelTarget, std::vector<EffortVector>> of_rater;
-  std::set<std::string> all;
   for (const LabelRecord& label : database.labels()) {
-    all.insert(label.rater);
-    if (!rater.empty() && label.rater != rater) continue;
-    of_rater[label.target].push_back(effort_of(label.rating));
+    const bool is_synthetic = label.source == LabelSource::kSynthetic;
+    if (rater.empty() ? is_synthetic : label.rater != rater) continue;
     labels.raters.insert(label.rater);
+    labels.are_synthetic |= is_synthetic;
     ++labels.count;
   }
-  if (labels.count == 0) {
-    std::string names;
-    for (const std::string& name : all) names += (names.empty() ? "" : ", ") + name;
-    if (!names.empty()) throw InvalidArgument("rater", "one of those who labelled: " + names, "'" + rater + "'");
-    throw InvalidArgument("database", "labels to learn from", "none", kGiveLabels);
-  }
-  if (rater.empty()) {
-    for (const MeanLabel& mean : database.mean_labels()) labels.effort[mean.target] = effort_of(mean.mean);
-  } else {
-    for (const auto& [target, ratings] : of_rater) labels.effort[target] = mean_rating(ratings);
-  }
+  if (labels.count == 0) refuse_raters(database, rater);
+  for (const MeanLabel& mean : database.mean_labels(rater)) labels.effort[mean.target] = effort_of(mean.mean);
   std::erase_if(labels.effort, [](const auto& entry) { return !says_something(entry.second); });
   return labels;
 }
@@ -110,18 +112,15 @@ double threshold_of(const std::vector<PairRecord>& accepted) {
   return std::max(by_threshold > 0.0 ? by_threshold : by_person, kLeast);
 }
 
-std::string name_of(const FragmentRecord& record) {
-  return record.clip_name + ":" + std::to_string(record.frames.begin) + "-" + std::to_string(record.frames.end);
-}
-
 /// The labelled ones of `read`, their groups numbered anew, and what is usual in each.
-void take_labelled(EffortExamples& examples, const std::vector<ReadFragment>& read, const Labels& labels) {
+void take_labelled(EffortExamples& examples, const std::vector<ReadFragment>& read, const Labels& labels,
+                   const std::map<RecordId, std::string>& names) {
   std::map<int, int> group_of;
   for (const ReadFragment& fragment : read) {
     const auto label = labels.effort.find({TargetKind::kFragment, fragment.record.id});
     if (label == labels.effort.end()) continue;
     const int group = group_of.emplace(fragment.record.group, static_cast<int>(group_of.size())).first->second;
-    examples.fragments.push_back({name_of(fragment.record), group, fragment.motion, label->second});
+    examples.fragments.push_back({names.at(fragment.record.id), group, fragment.motion, label->second});
     examples.ids.push_back(fragment.record.id);
     examples.performers.push_back(fragment.record.performer);
     examples.actions.push_back(fragment.record.action);
@@ -187,7 +186,7 @@ EffortExamples effort_examples(const FragmentDatabase& database, const LearnOpti
   const Labels labels = options.from_estimates ? estimates_of(database) : labels_of(database, options.rater);
   const std::vector<ReadFragment> read = grouped_fragments(database);
   EffortExamples examples;
-  take_labelled(examples, read, labels);
+  take_labelled(examples, read, labels, fragment_names(database));
   if (examples.fragments.empty()) {
     throw InvalidArgument("database", "labelled fragments in groups of like content", "none", kGiveLabels);
   }
@@ -206,6 +205,7 @@ EffortExamples effort_examples(const FragmentDatabase& database, const LearnOpti
   examples.space = fit_feature_space(features);
   examples.threshold = threshold_of(accepted);
   examples.num_labels = labels.count;
+  examples.are_synthetic = labels.are_synthetic;
   examples.raters.assign(labels.raters.begin(), labels.raters.end());
   warn_of_little(examples, options.from_estimates, diagnostics);
   return examples;

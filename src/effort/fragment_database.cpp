@@ -4,6 +4,7 @@
 #include "effort/fragment_database_parts.h"
 #include "effort/fragment_schema.h"
 #include "effort/frame_chunks.h"
+#include "effort/retarget.h"
 
 #include <algorithm>
 #include <array>
@@ -113,6 +114,20 @@ std::vector<FrameRange> rescaled(const std::vector<FrameRange>& cuts, double fac
     if (frame(cut.end) > begin) scaled.push_back({begin, frame(cut.end)});
   }
   return scaled;
+}
+
+/// `motion` on the database's body: another actor's stands, steps and travels as that body would.
+Motion on_body(const std::string& name, const Motion& motion, const std::shared_ptr<const Skeleton>& body,
+               Diagnostics* diagnostics) {
+  if (is_same(motion.skeleton(), *body)) return motion;
+  const double here = leg_length(motion), there = leg_length(on_skeleton(motion, body, 1.0));
+  const double scale = here > 0.0 && there > 0.0 ? there / here : 1.0;
+  constexpr double kRounding = 1e-3;  // of bone lengths as files write them
+  if (std::abs(scale - 1.0) > kRounding && diagnostics != nullptr) {
+    diagnostics->note(name, "another body: put on the database's, travel and height scaled by " +
+                                std::to_string(scale).substr(0, 5) + " as its legs are");
+  }
+  return on_skeleton(motion, body, scale);
 }
 
 const char* name_of(CutSource source) {
@@ -263,7 +278,8 @@ RecordId FragmentDatabase::add_clip(const NewClip& clip, const Motion& motion, c
   if (motion.num_frames() == 0) throw InvalidArgument("motion", "at least one frame", "none");
   check_cuts(cuts, motion.num_frames());
   const bool same_rate = std::abs(motion.frame_rate() / frame_rate() - 1.0) < 1e-6;
-  const Motion kept = same_rate ? motion : motion::resample(motion, frame_rate());
+  const Motion fitted = on_body(clip.name, motion, skeleton(), diagnostics);
+  const Motion kept = same_rate ? fitted : motion::resample(fitted, frame_rate());
   if (!same_rate && diagnostics != nullptr) {
     diagnostics->note(clip.name, "resampled from " + std::to_string(motion.frame_rate()) + " to " +
                                      std::to_string(frame_rate()) + " frames/s, the database's");

@@ -63,6 +63,17 @@ PairStatus status_of(const Statement& row) {
   return row.integer(4) != 0 ? PairStatus::kAccepted : PairStatus::kRejected;
 }
 
+BlendRecord blend_of(const Statement& row) {
+  return {row.integer(0), row.integer(1), row.integer(2), row.number(3)};
+}
+
+/// A blend as it is kept, whichever way it is told. What one minus a decimal leaves in the last digits is taken off.
+BlendRecord in_order(RecordId first, RecordId second, double alpha) {
+  constexpr double kDigits = 1e12;
+  if (first < second) return {0, first, second, alpha};
+  return {0, second, first, std::round((1.0 - alpha) * kDigits) / kDigits};
+}
+
 int as_bits(const std::array<bool, kNumFactors>& flags) {
   int bits = 0;
   for (std::size_t k = 0; k < flags.size(); ++k) bits |= flags[k] ? 1 << k : 0;
@@ -172,23 +183,30 @@ RecordId FragmentDatabase::add_blend(RecordId first, RecordId second, double alp
   if (!std::isfinite(alpha)) throw InvalidArgument("alpha", "a finite number", std::to_string(alpha));
   Change change(parts_->connection);
   check_two(parts_->ids_of("fragments"), first, second);
-  parts_->connection.prepare("INSERT OR IGNORE INTO blends(first, second, alpha) VALUES(?, ?, ?)")
-      .bind(0, first)
-      .bind(1, second)
-      .bind(2, alpha)
+  if (const auto known = find_blend(first, second, alpha)) return known->id;
+  const BlendRecord blend = in_order(first, second, alpha);
+  parts_->connection.prepare("INSERT INTO blends(first, second, alpha) VALUES(?, ?, ?)")
+      .bind(0, blend.first)
+      .bind(1, blend.second)
+      .bind(2, blend.alpha)
       .run();
-  Statement row = parts_->connection.prepare("SELECT id FROM blends WHERE first = ? AND second = ? AND alpha = ?");
-  row.bind(0, first).bind(1, second).bind(2, alpha).next();
-  const RecordId id = row.integer(0);
-  row.reset();
+  const RecordId id = parts_->connection.last_id();
   change.commit();
   return id;
+}
+
+std::optional<BlendRecord> FragmentDatabase::find_blend(RecordId first, RecordId second, double alpha) const {
+  const BlendRecord blend = in_order(first, second, alpha);
+  Statement row = parts_->connection.prepare(
+      "SELECT id, first, second, alpha FROM blends WHERE first = ? AND second = ? AND abs(alpha - ?) < 1e-9");
+  row.bind(0, blend.first).bind(1, blend.second).bind(2, blend.alpha);
+  return row.next() ? std::optional(blend_of(row)) : std::nullopt;
 }
 
 std::vector<BlendRecord> FragmentDatabase::blends() const {
   std::vector<BlendRecord> blends;
   Statement rows = parts_->connection.prepare("SELECT id, first, second, alpha FROM blends ORDER BY id");
-  while (rows.next()) blends.push_back({rows.integer(0), rows.integer(1), rows.integer(2), rows.number(3)});
+  while (rows.next()) blends.push_back(blend_of(rows));
   return blends;
 }
 
@@ -224,9 +242,10 @@ std::vector<LabelRecord> FragmentDatabase::labels() const {
   return labels;
 }
 
-std::vector<MeanLabel> FragmentDatabase::mean_labels() const {
+std::vector<MeanLabel> FragmentDatabase::mean_labels(const std::string& rater) const {
   std::map<LabelTarget, std::map<std::string, RaterSum>> sums;
   for (const LabelRecord& label : labels()) {
+    if (rater.empty() ? label.source != LabelSource::kPerson : label.rater != rater) continue;
     RaterSum& sum = sums[label.target][label.rater];
     ++sum.labels;
     for (int k = 0; k < kNumFactors; ++k) {

@@ -34,7 +34,6 @@ class LabelReader {
       ids_.insert(fragment.id);
     }
     for (const PairRecord& pair : database.accepted_pairs()) pairs_.insert({pair.first, pair.second});
-    for (const BlendRecord& blend : database.blends()) known_.insert({blend.first, blend.second, blend.alpha});
     (void)table_.place_of("rater");
     (void)table_.place_of("labelled_at");
   }
@@ -111,8 +110,8 @@ class LabelReader {
     const CsvField* found = field(row, "alpha");
     if (found == nullptr) fail(row, "alpha", "a column 'alpha'", "none");
     const double alpha = csv_number(*found, row.line, table_.path);
-    const bool is_known = known_.count({first, second, alpha}) > 0;
-    if (!is_known && pairs_.count({std::min(first, second), std::max(first, second)}) == 0) {
+    if (!database.find_blend(first, second, alpha) &&
+        pairs_.count({std::min(first, second), std::max(first, second)}) == 0) {
       fail(row, "first", "an accepted pair", std::to_string(first) + " and " + std::to_string(second),
            "strut effort match accepts pairs");
     }
@@ -139,7 +138,6 @@ class LabelReader {
   std::map<std::tuple<std::string, RecordId, RecordId>, RecordId> by_frames_;
   std::set<RecordId> ids_;
   std::set<std::pair<RecordId, RecordId>> pairs_;
-  std::set<std::tuple<RecordId, RecordId, double>> known_;
 };
 
 /// The columns up to the rater's.

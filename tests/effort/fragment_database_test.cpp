@@ -165,6 +165,45 @@ TEST_F(FragmentDatabaseTest, ResamplesOtherRatesWithANote) {
   EXPECT_THAT(diagnostics.entries().front().message, HasSubstr("resampled"));
 }
 
+/// A body `factor` times as large that moves alike.
+Motion scaled(const Motion& motion, double factor) {
+  std::vector<Joint> joints = motion.skeleton().joints();
+  for (Joint& joint : joints) {
+    joint.offset *= factor;
+    joint.end_site *= factor;
+  }
+  std::vector<Pose> frames = motion.frames();
+  for (Pose& pose : frames) {
+    for (Eigen::Vector3d& translation : pose.translations) translation *= factor;
+  }
+  return {std::make_shared<const Skeleton>(std::move(joints)), motion.frame_rate(), std::move(frames)};
+}
+
+TEST_F(FragmentDatabaseTest, PutsAnotherActorOnItsOwnBody) {
+  FragmentDatabase database = made();
+  Diagnostics diagnostics;
+  const RecordId clip =
+      database.add_clip({"child.bvh", "", ""}, scaled(walk_, 0.8), {{0, 40}}, CutSource::kSuggested, &diagnostics);
+  const Motion back = database.motion(clip);
+  constexpr double kScaled = 1e-6;  // what scaling there and back loses [m]
+  EXPECT_LT(travel_error(walk_, back), kScaled);
+  EXPECT_LT(rotation_error(walk_, back), kRotationError);
+  ASSERT_EQ(diagnostics.entries().size(), 1U);
+  EXPECT_THAT(diagnostics.entries().front().message, HasSubstr("scaled by 1.25"));
+}
+
+TEST_F(FragmentDatabaseTest, KeepsBonesOfItsBodyWhereProportionsDiffer) {
+  std::vector<Joint> joints = walk_.skeleton().joints();
+  const std::size_t head = joints.size() - 1;
+  joints[head].offset *= 1.5;
+  std::vector<Pose> frames = walk_.frames();
+  for (Pose& pose : frames) pose.translations[head] = joints[head].offset;
+  FragmentDatabase database = made();
+  const RecordId clip = database.add_clip(
+      {"other.bvh", "", ""}, Motion(std::make_shared<const Skeleton>(std::move(joints)), 30.0, std::move(frames)), {});
+  EXPECT_LT(travel_error(walk_, database.motion(clip)), kTravelError);
+}
+
 TEST_F(FragmentDatabaseTest, NamesTheJointsOfAnotherSkeleton) {
   FragmentDatabase database = made();
   try {
@@ -300,6 +339,41 @@ TEST_F(FragmentDatabaseTest, AveragesWithinARaterFirst) {
   EXPECT_EQ(means[0].num_raters, Eigen::Vector4i(2, 0, 1, 0));
   ASSERT_EQ(means[0].raters.size(), 2U);
   EXPECT_EQ(means[0].raters[0].num_labels, 2);
+}
+
+TEST_F(FragmentDatabaseTest, NeverMixesSyntheticLabelsWithPeoples) {
+  FragmentDatabase database = filled();
+  LabelRecord formula = label(kFirstFragment, "formula", -1.0, kNoon);
+  formula.source = LabelSource::kSynthetic;
+  LabelRecord alone = formula;
+  alone.target.id = 2;
+  database.add_labels({label(kFirstFragment, "eve", 0.5, kNoon), formula, alone});
+  EXPECT_EQ(database.labels().size(), 3U);
+  const auto means = database.mean_labels();
+  ASSERT_EQ(means.size(), 1U) << "fragment 2 has no person's label";
+  EXPECT_EQ(means[0].mean[kFlow], 0.5);
+  EXPECT_EQ(means[0].num_raters[kFlow], 1);
+  const auto named = database.mean_labels("formula");
+  ASSERT_EQ(named.size(), 2U);
+  EXPECT_EQ(named[0].mean[kFlow], -1.0);
+  EXPECT_TRUE(database.mean_labels("nobody").empty());
+}
+
+TEST_F(FragmentDatabaseTest, ABlendAndItsMirrorAreOne) {
+  FragmentDatabase database = filled();
+  const RecordId blend = database.add_blend(2, 1, 0.7);
+  EXPECT_EQ(database.add_blend(1, 2, 0.3), blend);
+  EXPECT_EQ(database.add_blend(1, 2, 1.0 - 0.7), blend);
+  const auto blends = database.blends();
+  ASSERT_EQ(blends.size(), 1U);
+  EXPECT_EQ(blends[0].first, 1);
+  EXPECT_EQ(blends[0].alpha, 0.3);
+  EXPECT_NE(database.add_blend(1, 2, 0.7), blend);
+  const RecordId third = database.add_blend(1, 2, 1.0 / 3.0);
+  EXPECT_EQ(database.add_blend(2, 1, 2.0 / 3.0), third);
+  ASSERT_TRUE(database.find_blend(2, 1, 0.7));
+  EXPECT_EQ(database.find_blend(2, 1, 0.7)->id, blend);
+  EXPECT_FALSE(database.find_blend(1, 2, 0.9));
 }
 
 TEST_F(FragmentDatabaseTest, EstimatesNeverCountAsLabels) {

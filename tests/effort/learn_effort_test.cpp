@@ -48,6 +48,33 @@ class EffortExamplesOf : public testing::Test {
   std::vector<RecordId> ids_;
 };
 
+TEST_F(EffortExamplesOf, TakesASyntheticRaterOnlyIfNamed) {
+  std::vector<LabelRecord> labels;
+  for (int i = 0; i < 3; ++i) {
+    labels.push_back(label_of(fragment(i), "formula", 0.9));
+    labels.back().source = LabelSource::kSynthetic;
+  }
+  database_.add_labels(labels);
+  try {
+    effort_examples(database_, {});
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_NE(std::string(error.what()).find("synthetic raters' alone: formula"), std::string::npos) << error.what();
+    EXPECT_NE(error.hint().find("--rater"), std::string::npos);
+  }
+  LearnOptions named;
+  named.rater = "formula";
+  const EffortExamples alone = effort_examples(database_, named);
+  EXPECT_TRUE(alone.are_synthetic);
+  EXPECT_EQ(alone.num_labels, 3);
+  database_.add_labels({label_of(fragment(0), "ana", 0.2), label_of(fragment(1), "ana", 0.3)});
+  const EffortExamples people = effort_examples(database_, {});
+  EXPECT_FALSE(people.are_synthetic);
+  EXPECT_EQ(people.raters, std::vector<std::string>{"ana"});
+  ASSERT_EQ(people.fragments.size(), 2U);
+  EXPECT_EQ(people.fragments[0].effort[kTime], 0.2);
+}
+
 TEST_F(EffortExamplesOf, BringsLabelsOfAllRatersTogether) {
   const RecordId blend = database_.add_blend(id(0), id(2), 0.5);
   database_.add_labels({label_of(fragment(0), "ana", 0.2), label_of(fragment(0), "ben", 0.4),

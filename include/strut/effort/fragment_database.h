@@ -68,7 +68,7 @@ struct PairRecord {
 /// A blend that was or will be shown to raters, kept so that it can be labelled.
 struct BlendRecord {
   RecordId id = 0;
-  RecordId first = 0, second = 0;  ///< fragments
+  RecordId first = 0, second = 0;  ///< fragments, first < second
   double alpha = 0.0;              ///< 0: the first, 1: the second
 };
 
@@ -97,7 +97,8 @@ struct LabelRecord {
   std::string comment;                          ///< one line
 };
 
-/// The labels of one fragment or blend, brought together: each rater's mean first, then the mean over raters.
+/// The labels that people gave one fragment or blend, brought together: each rater's mean first, then the mean over
+/// raters.
 struct MeanLabel {
   LabelTarget target;
   Rating mean = Rating::Constant(kNotRated);             ///< kNotRated where nobody rated the factor
@@ -155,7 +156,8 @@ class FragmentDatabase {
   void check_integrity() const;
 
   /// Adds a clip and its fragments: `cuts` ascend and do not overlap. The motion is resampled to the database's rate,
-  /// with a note, if it has another; `cuts` then count its frames as they come and are carried over.
+  /// with a note, if it has another; `cuts` then count its frames as they come and are carried over. A motion of a body
+  /// with other bones is put on the database's: joints turn alike, travel and height grow with the legs, with a note.
   /// Rotations are kept to 4e-7 rad, translations to 1e-9 m. Throws SkeletonMismatch naming joints that do not fit,
   /// InvalidArgument if the name is empty or taken, the motion is empty or a cut is not inside. Cost O(frames x
   /// joints).
@@ -202,9 +204,12 @@ class FragmentDatabase {
   [[nodiscard]] std::vector<PairRecord> pairs() const;
   [[nodiscard]] std::vector<PairRecord> accepted_pairs() const;
 
-  /// The id of a blend, which is added unless it is there. Throws InvalidArgument for unknown fragments, one with
+  /// The id of a blend, which is added unless it is there. (i, j, alpha) and (j, i, 1 - alpha) are one blend, kept with
+  /// the smaller id first; alphas closer than 1e-9 are one. Throws InvalidArgument for unknown fragments, one with
   /// itself or an alpha that is not finite.
   RecordId add_blend(RecordId first, RecordId second, double alpha);
+  /// The blend if it is there, told in either order.
+  [[nodiscard]] std::optional<BlendRecord> find_blend(RecordId first, RecordId second, double alpha) const;
   [[nodiscard]] std::vector<BlendRecord> blends() const;  ///< by id
 
   /// Adds labels, all or none (their ids are given by the database); those with rater, target and time of one that is
@@ -214,8 +219,9 @@ class FragmentDatabase {
   int add_labels(const std::vector<LabelRecord>& labels);
   /// By id. People's and synthetic raters' labels; never estimates.
   [[nodiscard]] std::vector<LabelRecord> labels() const;
-  /// By target. Blind repeats count like any label of their rater.
-  [[nodiscard]] std::vector<MeanLabel> mean_labels() const;
+  /// By target: people's labels, never mixed with synthetic ones; or, if a rater is named, all of that rater alone,
+  /// person or not. Blind repeats count like any label of their rater.
+  [[nodiscard]] std::vector<MeanLabel> mean_labels(const std::string& rater = {}) const;
 
   /// Replaces all estimates. Throws InvalidArgument for unknown fragments, values outside [-1, 1] or confidences
   /// outside [0, 1].

@@ -16,7 +16,7 @@ namespace strut::effort {
 /// What is learnt from.
 struct LearnOptions {
   bool from_estimates = false;  ///< from the program's estimates instead of labels; the two are never mixed
-  std::string rater;            ///< of one rater alone; empty: the mean over all raters
+  std::string rater;            ///< of one rater alone, person or synthetic; empty: the mean over all people
   RegressionOptions regression;
 };
 
@@ -33,12 +33,13 @@ struct EffortExamples {
   double threshold = 0.0;                        ///< mean distance of the least alike pair that was accepted [m]
   int num_labels = 0;                            ///< single labels that all this is the mean of
   std::vector<std::string> raters;               ///< who gave them
+  bool are_synthetic = false;                    ///< whether a synthetic rater did
 };
 
 /// Reads a database. Fragments of no group, without a label or too short to be described (less than four frames at
 /// kFeatureRate) are left out. Warns where there are few labels. Throws InvalidArgument, saying which command helps, if
-/// nothing is labelled (or estimated, or labelled by the one rater), no labelled fragment is in a group, or no two of
-/// them are an accepted pair.
+/// nothing is labelled by people (or estimated, or labelled by the one rater), no labelled fragment is in a group, or
+/// no two of them are an accepted pair.
 EffortExamples effort_examples(const FragmentDatabase& database, const LearnOptions& options,
                                Diagnostics* diagnostics = nullptr);
 
