@@ -24,6 +24,7 @@ constexpr double kHighest = 10.0;      // frequency of SPARC [Hz]
 constexpr double kAmplitude = 0.05;    // of the spectrum that still counts, of its value at 0
 constexpr double kResolution = 0.025;  // of the spectrum [Hz]
 constexpr double kLeast = 1e-4;        // logarithms are taken of at least this
+constexpr Index kRest = 6;             // frames in which the hands are taken to come from rest and to it
 constexpr Index kChord = 10;           // frames that a chord of the hands' way spans
 constexpr double kNothing = 1e-9;      // below this nothing varies
 
@@ -123,6 +124,19 @@ double amplitude_at(const Eigen::Ref<const VectorXd>& x, double w) {
   return std::hypot(re, im);
 }
 
+/// A speed with the way from rest and back to it: half waves on both sides. Where a movement was cut while the hands
+/// were moving, the cut's edge would be taken for a lack of smoothness, another one for a cut a frame away.
+VectorXd from_rest_to_rest(const VectorXd& speed) {
+  VectorXd whole(speed.size() + 2 * kRest);
+  for (Index i = 0; i < kRest; ++i) {
+    const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / kRest);
+    whole[i] = share * speed[0];
+    whole[whole.size() - 1 - i] = share * speed[speed.size() - 1];
+  }
+  whole.segment(kRest, speed.size()) = speed;
+  return whole;
+}
+
 /// The slope of `y` over `x`; 0 where x does not vary.
 double regression_slope(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref<const VectorXd>& y) {
   const VectorXd centred = x.array() - x.mean();
@@ -143,7 +157,7 @@ VectorXd describe(const Motion& motion) {
   const Index changes = speed.size() - 1;
   VectorXd result(static_cast<Index>(kNumDescriptors));
   result[kLogAcceleration] = safe_log(mean_acceleration(positions, body));
-  result[kHandSmoothness] = spectral_arc_length(speed, kDescriptorRate);
+  result[kHandSmoothness] = spectral_arc_length(from_rest_to_rest(speed), kDescriptorRate);
   result[kHeight] = mean_height(positions, body);
   result[kLogPeakDeceleration] = safe_log(kDescriptorRate * (speed.head(changes) - speed.tail(changes)).maxCoeff());
   result[kLogPeakSpeed] = safe_log(speed.maxCoeff());

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Bodies meet here: matching, choosing and blending are done on the model's body at the model's rate, cutting and
 // joining on the input's.
+#include "motion_edges.h"
 #include "retarget.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
+
+#include <tbb/parallel_for.h>
 
 #include <strut/core/error.h>
 #include <strut/effort/descriptors.h>
@@ -21,6 +26,12 @@ namespace {
 
 constexpr int kFewestFrames = 4;
 
+// Joins.
+constexpr double kLongestTrim = 0.1;   // that a piece may lose, or what was kept may go on for, at a join [s]
+constexpr double kMostTrimmed = 0.25;  // of a piece, at each end
+constexpr double kTrimPrice = 0.5;     // of 0.1 s, in squared units of posture
+constexpr double kTimesUsual = 1.5;    // how far above nearly all of the sources a joint may accelerate at a join
+
 void check(const Motion& motion, const Skeleton& skeleton, const ApplyOptions& options) {
   if (const std::string mismatch = describe_mismatch(skeleton, motion.skeleton()); !mismatch.empty()) {
     throw SkeletonMismatch(mismatch);
@@ -30,7 +41,7 @@ void check(const Motion& motion, const Skeleton& skeleton, const ApplyOptions& o
   }
   for (const auto& [name, value] :
        {std::pair{"unasked_weight", options.unasked_weight}, std::pair{"shortest_gap", options.shortest_gap},
-        std::pair{"join_weight", options.join_weight}}) {
+        std::pair{"join_weight", options.join_weight}, std::pair{"jerk_weight", options.jerk_weight}}) {
     if (!(value >= 0.0) || !std::isfinite(value)) {
       throw InvalidArgument(name, "a number of at least 0", std::to_string(value));
     }
@@ -73,10 +84,14 @@ std::vector<Snippet> snippets_of(const EffortModel& model, const Motion& motion,
   return snippets;
 }
 
-/// What is put one after the other.
+/// What is put one after the other: frames [begin, end) of some material.
 struct Part {
-  Piece piece;
+  Motion material;
   std::vector<motion::Footplant> plants;
+  int begin = 0, end = 0;
+  int least_begin = 0, greatest_begin = 0;  // where it may begin and end
+  int least_end = 0, greatest_end = 0;
+  int source = -1, source_begin = 0;  // of the material
 };
 
 std::vector<motion::Footplant> plants_within(const std::vector<motion::Footplant>& plants,
@@ -90,6 +105,20 @@ std::vector<motion::Footplant> plants_within(const std::vector<motion::Footplant
   return within;
 }
 
+/// What 99 of 100 of the fragments' joints accelerate by at most, over all frames [rad/s^2].
+double usual_acceleration(const EffortModel& model) {
+  constexpr double kNearlyAll = 0.99;
+  std::vector<double> all;
+  for (const ModelFragment& fragment : model.fragments()) {
+    const std::vector<double> some = joint_accelerations(fragment.motion);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  if (all.empty()) return std::numeric_limits<double>::infinity();
+  const auto at = all.begin() + static_cast<std::ptrdiff_t>(kNearlyAll * static_cast<double>(all.size() - 1));
+  std::nth_element(all.begin(), at, all.end());
+  return *at;
+}
+
 /// Puts what was wanted on one motion.
 class Application {
  public:
@@ -101,6 +130,8 @@ class Application {
         scale_(leg_length(motion) / leg_length(chooser.model().fragments().front().motion)),
         on_model_(on_skeleton(motion, chooser.model().shared_skeleton(), 1.0 / scale_)),
         features_(matching_features(on_model_, chooser.model().parts().upright, chooser.model().parts().space)),
+        postures_{chooser.model().parts().upright, chooser.model().parts().space, chooser.model().parts().threshold},
+        most_(kTimesUsual * usual_acceleration(chooser.model())),
         legs_(motion::find_legs(motion)) {
     if (legs_) plants_ = postprocess::detect_footplants(motion, *legs_);
   }
@@ -109,19 +140,23 @@ class Application {
     AppliedEffort result{motion_, {}, 0.0, plants_};
     const std::vector<Snippet> snippets = snippets_of(chooser_.model(), motion_, features_, options_);
     result.coverage = coverage(snippets);
-    std::vector<Part> parts;
+    std::vector<std::vector<ChosenBlend>> candidates;
     for (const Snippet& snippet : snippets) {
-      result.snippets.push_back(choose(snippet, result.snippets));
-      parts.push_back(part_of(result.snippets.back()));
+      result.snippets.push_back(seen(snippet));
+      candidates.push_back(candidates_for(result.snippets.back()));
     }
+    choose(candidates, result.snippets);
+    std::vector<Part> parts;
+    for (const AppliedSnippet& snippet : result.snippets) parts.push_back(part_of(snippet));
+    for (std::size_t i = 1; i < parts.size(); ++i) cut_where_it_fits(parts[i - 1], parts[i]);
     if (result.coverage > 0.0) put_together(parts, result, diagnostics);
     look_again(result);
     return result;
   }
 
  private:
-  /// What to put in a snippet's place.
-  AppliedSnippet choose(const Snippet& snippet, const std::vector<AppliedSnippet>& before) const {
+  /// A snippet, how it moves and what is wanted of it.
+  AppliedSnippet seen(const Snippet& snippet) const {
     AppliedSnippet applied;
     applied.input = applied.output = snippet.frames;
     applied.group = snippet.group;
@@ -130,41 +165,49 @@ class Application {
     if (snippet.group == kNoMatch) return applied;
     applied.before = shown_by(on_model_.slice(snippet.frames.begin, snippet.frames.end), snippet.group);
     applied.wanted = wanted_.at(0.5 * (snippet.frames.begin + snippet.frames.end - 1) * motion_.frame_time());
-    ChoiceOptions choice = options_.choice;
     for (int factor = 0; factor < kNumPredictedFactors; ++factor) {
-      if (is_rated(applied.wanted[factor])) continue;
-      applied.wanted[factor] = std::clamp(applied.before[factor], -1.0, 1.0);
-      choice.weights[factor] *= options_.unasked_weight;
+      if (!is_rated(applied.wanted[factor])) applied.wanted[factor] = std::clamp(applied.before[factor], -1.0, 1.0);
     }
-    const auto candidates = chooser_.candidates(snippet.group, known(applied.wanted, snippet.group), choice);
-    applied.blend = candidates.front();
-    if (!before.empty()) applied.blend = smoothest(candidates, end_of(before.back()));
     return applied;
   }
 
-  /// Of candidates that are about as near to what is wanted, the one that goes on from the posture `end`.
-  [[nodiscard]] ChosenBlend smoothest(const std::vector<ChosenBlend>& candidates, const Eigen::VectorXd& end) const {
-    const auto price = [&](const ChosenBlend& blend) {
-      const double step = (edge_of(blend, false) - end).norm() / chooser_.model().parts().threshold;
-      return blend.error * blend.error + options_.join_weight * step * step;
-    };
-    return *std::min_element(candidates.begin(), candidates.end(),
-                             [&](const ChosenBlend& a, const ChosenBlend& b) { return price(a) < price(b); });
+  /// What might be put in a snippet's place; nothing where it is kept.
+  std::vector<ChosenBlend> candidates_for(const AppliedSnippet& snippet) const {
+    if (snippet.group == kNoMatch) return {};
+    ChoiceOptions choice = options_.choice;
+    for (int factor = 0; factor < kNumPredictedFactors; ++factor) {
+      if (!wanted_.asks_for(static_cast<Factor>(factor))) choice.weights[factor] *= options_.unasked_weight;
+    }
+    return chooser_.candidates(snippet.group, known(snippet.wanted, snippet.group), choice);
   }
 
-  /// The posture with which a blend begins or ends.
-  [[nodiscard]] Eigen::VectorXd edge_of(const ChosenBlend& blend, bool at_end) const {
-    const auto edge = [&](int fragment) {
-      const FrameMatrix& rows = chooser_.model().features(fragment);
-      return rows.row(at_end ? rows.rows() - 1 : 0).transpose().eval();
-    };
-    return (1.0 - blend.alpha) * edge(blend.first) + blend.alpha * edge(blend.second);
+  /// Of candidates that are about as near to what is wanted, those that go on from one another.
+  void choose(const std::vector<std::vector<ChosenBlend>>& candidates, std::vector<AppliedSnippet>& snippets) const {
+    std::vector<std::vector<SequenceCandidate>> places(candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      places[i].resize(std::max<std::size_t>(1, candidates[i].size()));
+      if (candidates[i].empty()) {
+        const motion::FrameRange& kept = snippets[i].input;
+        const Motion stretch = on_model_.slice(kept.begin, kept.end);
+        places[i].front() = {0.0, beginning(stretch, postures_), ending(stretch, postures_)};
+      }
+      tbb::parallel_for(std::size_t{0}, candidates[i].size(), [&](std::size_t c) {
+        const Motion motion = chooser_.synthesize(candidates[i][c]).motion;
+        SequenceCandidate& candidate = places[i][c];
+        candidate = {0.0, beginning(motion, postures_), ending(motion, postures_)};
+        candidate.price = std::pow(candidates[i][c].error, 2) +
+                          options_.jerk_weight * (excess(candidate.begin) + excess(candidate.end));
+      });
+    }
+    const auto chosen = cheapest_sequence(places, options_.join_weight, 1.0 / kFeatureRate, postures_.unit);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (!candidates[i].empty()) snippets[i].blend = candidates[i][chosen[i]];
+    }
   }
 
-  [[nodiscard]] Eigen::VectorXd end_of(const AppliedSnippet& snippet) const {
-    if (snippet.group != kNoMatch) return edge_of(snippet.blend, true);
-    const auto last = std::lround((snippet.input.end - 1) * kFeatureRate / motion_.frame_rate());
-    return features_.row(std::min<Eigen::Index>(last, features_.rows() - 1)).transpose();
+  /// By how much a joint accelerates more at an edge than is usual of the sources, as a share, squared.
+  [[nodiscard]] double excess(const MotionEdge& edge) const {
+    return std::pow(std::max(0.0, edge.acceleration / most_ - 1.0), 2);
   }
 
   /// Without the factors that nobody asked for and nothing of the group is labelled in.
@@ -179,31 +222,68 @@ class Application {
   }
 
   Part part_of(const AppliedSnippet& snippet) const {
-    if (snippet.group == kNoMatch) {
-      return {{motion_.slice(snippet.input.begin, snippet.input.end), 0, snippet.input.begin},
-              plants_within(plants_, snippet.input)};
-    }
+    const int reach = static_cast<int>(std::lround(kLongestTrim * motion_.frame_rate()));
+    if (snippet.group == kNoMatch) return kept(snippet.input, reach);
     const Blend blend = chooser_.synthesize(snippet.blend);
-    const Motion motion =
-        motion::resample(on_skeleton(blend.motion, motion_.shared_skeleton(), scale_), motion_.frame_rate());
-    const double ratio = motion.frame_rate() / blend.motion.frame_rate();
-    std::vector<motion::Footplant> plants;
+    Part part{motion::resample(on_skeleton(blend.motion, motion_.shared_skeleton(), scale_), motion_.frame_rate()), {}};
+    const double ratio = part.material.frame_rate() / blend.motion.frame_rate();
     for (const motion::Footplant& plant : blend.plants) {
       const int begin = static_cast<int>(std::lround(plant.begin * ratio));
-      const int end = std::min(motion.num_frames(), static_cast<int>(std::lround(plant.end * ratio)));
-      if (begin < end) plants.push_back({plant.foot, begin, end});
+      const int end = std::min(part.material.num_frames(), static_cast<int>(std::lround(plant.end * ratio)));
+      if (begin < end) part.plants.push_back({plant.foot, begin, end});
     }
-    return {{motion}, std::move(plants)};
+    part.end = part.greatest_end = part.material.num_frames();
+    part.greatest_begin = std::min(reach, static_cast<int>(kMostTrimmed * part.end));
+    part.least_end = part.end - part.greatest_begin;
+    return part;
+  }
+
+  /// A stretch of the input, with what is beyond it.
+  [[nodiscard]] Part kept(const motion::FrameRange& range, int reach) const {
+    const motion::FrameRange all{std::max(0, range.begin - reach), std::min(motion_.num_frames(), range.end + reach)};
+    Part part{motion_.slice(all.begin, all.end), plants_within(plants_, all)};
+    const int trim = std::min(reach, static_cast<int>(kMostTrimmed * range.num_frames()));
+    part.begin = range.begin - all.begin;
+    part.end = range.end - all.begin;
+    part.greatest_begin = part.begin + trim;
+    part.least_end = part.end - trim;
+    part.greatest_end = all.num_frames();
+    part.source = 0;
+    part.source_begin = all.begin;
+    return part;
+  }
+
+  /// Moves the end of a part and the beginning of the next to where they go together best.
+  void cut_where_it_fits(Part& last, Part& next) const {
+    const auto ends = edges_within(last.material, last.least_end - 1, last.greatest_end, postures_);
+    const auto begins = edges_within(next.material, next.least_begin, next.greatest_begin + 1, postures_);
+    const double frame_time = motion_.frame_time(), trim = kTrimPrice * frame_time / kLongestTrim;
+    double least = std::numeric_limits<double>::infinity();
+    int end = last.end, begin = next.begin;
+    for (int e = last.least_end; e <= last.greatest_end; ++e) {
+      for (int b = next.least_begin; b <= next.greatest_begin; ++b) {
+        const auto& edge = ends[static_cast<std::size_t>(e - last.least_end)];
+        const auto& onto = begins[static_cast<std::size_t>(b - next.least_begin)];
+        const double price = misfit(edge, onto, frame_time, postures_.unit * scale_) +
+                             trim * (std::abs(e - last.end) + std::abs(b - next.begin));
+        if (price >= least) continue;
+        least = price;
+        end = e;
+        begin = b;
+      }
+    }
+    last.end = end;
+    next.begin = begin;
   }
 
   void put_together(const std::vector<Part>& parts, AppliedEffort& result, Diagnostics* diagnostics) const {
     std::vector<Piece> pieces;
     std::vector<std::vector<motion::Footplant>> plants;
     for (const Part& part : parts) {
-      pieces.push_back(part.piece);
-      plants.push_back(part.plants);
+      pieces.push_back({part.material.slice(part.begin, part.end), part.source, part.source_begin + part.begin});
+      plants.push_back(plants_within(part.plants, {part.begin, part.end}));
     }
-    const JoinedMotion joined = join(pieces);
+    const JoinedMotion joined = join(pieces, options_.join);
     result.motion = joined.motion;
     result.plants = joined_plants(joined, plants);
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -239,6 +319,8 @@ class Application {
   double scale_;  // the input's legs over the model's
   Motion on_model_;
   FrameMatrix features_;  // of the input, as matching sees it
+  PostureSpace postures_;
+  double most_;  // that a joint may accelerate at an edge [rad/s^2]
   std::optional<motion::Legs> legs_;
   std::vector<motion::Footplant> plants_;  // of the input
 };

@@ -148,7 +148,8 @@ TEST_F(EffortSynthesis, KeepsWhatIsLikeNothing) {
   const AppliedEffort applied = apply_effort(chooser(), motion, only_time(0.8));
   ASSERT_EQ(applied.snippets.size(), 3U);
   EXPECT_EQ(applied.snippets[1].group, kNoMatch);
-  EXPECT_EQ(applied.snippets[1].output.num_frames(), applied.snippets[1].input.num_frames());
+  constexpr double kMoved = 6.0;  // frames: each end, to where it fits, by 0.1 s at most
+  EXPECT_NEAR(applied.snippets[1].output.num_frames(), applied.snippets[1].input.num_frames(), kMoved);
   EXPECT_GT(applied.coverage, 0.4);
   EXPECT_LT(applied.coverage, 0.9);
   Diagnostics diagnostics;
@@ -183,6 +184,9 @@ TEST_F(EffortSynthesis, RefusesWhatMakesNoSense) {
   EXPECT_THROW(apply_effort(chooser(), other, only_time(0.0)), SkeletonMismatch);
   ApplyOptions options;
   options.unasked_weight = -1.0;
+  EXPECT_THROW(apply_effort(chooser(), motion, only_time(0.0), options), InvalidArgument);
+  options.unasked_weight = 0.25;
+  options.jerk_weight = std::nan("");
   EXPECT_THROW(apply_effort(chooser(), motion, only_time(0.0), options), InvalidArgument);
 }
 

@@ -19,7 +19,7 @@ inline constexpr double kDescriptorRate = 30.0;
 /// The columns of what describe() gives.
 enum Descriptor {
   kLogAcceleration,      ///< log of the mean over time of the body's acceleration, limbs by their mass [log m/s^2]
-  kHandSmoothness,       ///< SPARC of the hands' speed: 0 smooth, more negative the less smooth
+  kHandSmoothness,       ///< SPARC of the hands' speed, from rest and to it: 0 smooth, more negative the less smooth
   kHeight,               ///< mean height of the centre of mass above the lowest joint, per length of a leg
   kLogPeakDeceleration,  ///< log of the hands' sharpest braking [log m/s^2]
   kLogPeakSpeed,         ///< log of the hands' greatest speed [log m/s]

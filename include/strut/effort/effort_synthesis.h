@@ -9,6 +9,7 @@
 #include <strut/core/diagnostics.h>
 #include <strut/effort/blend_choice.h>
 #include <strut/effort/effort_curve.h>
+#include <strut/effort/inertialization.h>
 #include <strut/effort/motion_segmentation.h>
 #include <strut/motion/annotation.h>
 #include <strut/motion/motion.h>
@@ -21,8 +22,12 @@ struct ApplyOptions {
   ChoiceOptions choice;          ///< its weights are of the factors that are asked for
   double unasked_weight = 0.25;  ///< a factor not asked for shall stay as the snippet shows it; what an error in it
                                  ///< counts against one that is asked for, >= 0
-  double join_weight = 0.1;      ///< what a join counts when one of the candidates is chosen: this times its squared
-                                 ///< distance in posture over the model's threshold is added to the squared error, >= 0
+  double join_weight = 0.1;      ///< what a join counts when candidates are chosen: this times, in squares of the
+                                 ///< model's threshold, its distance in posture and what velocities come apart by in
+                                 ///< 0.1 s is added to the squared error, >= 0
+  double jerk_weight = 1.0;      ///< what a blend counts whose joints accelerate near its ends by more than 1.5 times
+                                 ///< the 99th percentile of the fragments: this times the squared excess, >= 0
+  JoinOptions join;              ///< how long a join is felt
   double boundary_frames = 3.0;  ///< SegmentationOptions::boundary_frames
   double shortest_gap = 0.3;     ///< shorter unmatched stretches are left to the snippets beside them [s], >= 0
   bool clean_feet = true;        ///< hold planted feet
@@ -53,10 +58,13 @@ struct AppliedEffort {
 
 /// Puts `wanted`, over the motion's time, on `motion`. Each snippet gets what is wanted at its middle. The first frame
 /// stays where it is; from there on the travel of what was put in counts, turned into the way the body faces, and
-/// scaled to its legs. A motion of which nothing matches comes back as it is, coverage 0. The same input gives the same
-/// result. Warns where less than half is covered. Throws SkeletonMismatch if the hierarchy is not the model's, and
-/// InvalidArgument if the motion has fewer than 4 frames, an option is out of range, or no fragment of a group is
-/// labelled in a factor asked for. Cost: a search of every fragment, and BlendChooser::choose per snippet.
+/// scaled to its legs. The blends are those of BlendChooser::candidates that together, over the whole motion, cost
+/// least by error and joins (dynamic programming). At a join, either piece may lose up to 0.1 s, at most a quarter of
+/// itself, and what is kept may go on for so long, where posture and velocity fit better then. A motion of which
+/// nothing matches comes back as it is, coverage 0. The same input gives the same result. Warns where less than half is
+/// covered. Throws SkeletonMismatch if the hierarchy is not the model's, and InvalidArgument if the motion has fewer
+/// than 4 frames, an option is out of range, or no fragment of a group is labelled in a factor asked for. Cost: a
+/// search of every fragment, and BlendChooser::choose per snippet.
 AppliedEffort apply_effort(const BlendChooser& chooser, const Motion& motion, const EffortCurve& wanted,
                            const ApplyOptions& options = {}, Diagnostics* diagnostics = nullptr);
 
