@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,7 +38,7 @@ struct MatchArguments {
   std::vector<std::int64_t> accept, reject;
   std::int64_t find = 0;
   int most = 20;
-  bool force = false;
+  bool force = false, ignore_actions = false;
   effort::GroupOptions options;
 };
 
@@ -63,22 +66,73 @@ std::vector<PairRecord> records_of(const effort::ContentGroups& groups, const st
   return records;
 }
 
+std::string base_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+/// The largest groups first, of equals in the order of their numbers.
 void print_groups(const std::vector<FragmentRecord>& fragments, const effort::ContentGroups& groups) {
   std::vector<std::vector<const FragmentRecord*>> members(static_cast<std::size_t>(groups.num_groups));
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     members[static_cast<std::size_t>(groups.group[i])].push_back(&fragments[i]);
   }
-  constexpr std::size_t kMostShown = 20;
-  const auto alone = std::count_if(members.begin(), members.end(), [](const auto& group) { return group.size() == 1; });
-  fmt::print("{} groups of like content; {} more fragments are like no other\n", groups.num_groups - alone, alone);
-  std::size_t shown = 0;
+  std::vector<std::size_t> shown;
   for (std::size_t g = 0; g < members.size(); ++g) {
-    if (members[g].size() < 2 || ++shown > kMostShown) continue;
-    const FragmentRecord& first = *members[g].front();
-    fmt::print("  group {:>3}: {:>4} fragments, as {} ({} frames {} to {})\n", g, members[g].size(), first.id,
-               first.clip_name, first.frames.begin, first.frames.end);
+    if (members[g].size() > 1) shown.push_back(g);
   }
-  if (shown > kMostShown) fmt::print("  and {} more\n", shown - kMostShown);
+  std::stable_sort(shown.begin(), shown.end(),
+                   [&](std::size_t a, std::size_t b) { return members[a].size() > members[b].size(); });
+  fmt::print("{} groups of like content; {} more fragments are like no other\n", shown.size(),
+             members.size() - shown.size());
+  constexpr std::size_t kMostShown = 20;
+  std::size_t folded = 0;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    const auto& group = members[shown[k]];
+    if (k >= kMostShown) {
+      folded += group.size();
+      continue;
+    }
+    const FragmentRecord& first = *group.front();
+    fmt::print("  group {:>3}: {:>4} fragments, as {} ({} frames {} to {})\n", shown[k], group.size(), first.id,
+               base_name(first.clip_name), first.frames.begin, first.frames.end);
+  }
+  if (folded > 0) fmt::print("  and {} smaller ones of {} fragments\n", shown.size() - kMostShown, folded);
+}
+
+/// How many fragments have an accepted partner from another clip.
+std::size_t count_paired(const FragmentDatabase& database, const std::vector<FragmentRecord>& fragments) {
+  std::map<effort::RecordId, effort::RecordId> clip_of;
+  for (const FragmentRecord& fragment : fragments) clip_of[fragment.id] = fragment.clip;
+  std::set<effort::RecordId> paired;
+  for (const PairRecord& pair : database.accepted_pairs()) {
+    const auto first = clip_of.find(pair.first), second = clip_of.find(pair.second);
+    if (first == clip_of.end() || second == clip_of.end() || first->second == second->second) continue;
+    paired.insert({pair.first, pair.second});
+  }
+  return paired.size();
+}
+
+void print_pairs(const FragmentDatabase& database, const std::vector<FragmentRecord>& fragments) {
+  const auto counts = database.counts();
+  fmt::print(
+      "{} pairs can be blended, {} of those compared cannot; {} of {} fragments have a partner in another clip\n",
+      counts.accepted_pairs, counts.pairs - counts.accepted_pairs, count_paired(database, fragments), fragments.size());
+}
+
+/// Says what told contents apart: names, the threshold, or both.
+void print_measure(const std::vector<FragmentRecord>& fragments, const effort::GroupOptions& options,
+                   double threshold) {
+  std::set<std::string> named(options.contents.begin(), options.contents.end());
+  const bool some_unnamed = named.erase("") > 0 || options.contents.empty();
+  if (!named.empty()) {
+    fmt::print("{} named actions tell contents apart, and movement within each; --ignore-actions compares all\n",
+               named.size());
+  }
+  if (some_unnamed) fmt::print("without a name, like is what costs at most {:.4f} m\n", threshold);
+  const bool is_told = std::any_of(fragments.begin(), fragments.end(), [](const auto& f) { return !f.action.empty(); });
+  if (!is_told) {
+    fmt::print("styles of far postures join better with names: strut effort segment --action PATTERN --replace\n");
+  }
 }
 
 /// Fragments too short to be compared are left out, with a warning.
@@ -97,27 +151,32 @@ std::vector<FragmentRecord> comparable(const FragmentDatabase& database, Diagnos
   return fragments;
 }
 
+effort::ContentGroups group(const FragmentDatabase& database, const std::vector<FragmentRecord>& fragments,
+                            effort::GroupOptions options) {
+  ProgressLine line("matching");
+  std::vector<Motion> motions;
+  for (const FragmentRecord& fragment : fragments) {
+    line.update("reading", static_cast<int>(motions.size()), static_cast<int>(fragments.size()));
+    motions.push_back(database.motion(fragment));
+  }
+  options.progress = [&line](int done, int total) { line.update("comparing", done, total); };
+  return effort::group_fragments(features_of(motions), options);
+}
+
 void match(const MatchArguments& arguments, FragmentDatabase& database) {
   PrintedDiagnostics diagnostics;
   const std::vector<FragmentRecord> fragments = comparable(database, diagnostics);
-  std::vector<Motion> motions;
-  effort::ContentGroups groups;
-  {
-    ProgressLine line("matching");
-    for (const FragmentRecord& fragment : fragments) {
-      line.update("reading", static_cast<int>(motions.size()), static_cast<int>(fragments.size()));
-      motions.push_back(database.motion(fragment));
-    }
-    line.update("comparing", 1, 2);
-    groups = effort::group_fragments(features_of(motions), arguments.options);
+  effort::GroupOptions options = arguments.options;
+  for (const FragmentRecord& fragment : fragments) {
+    if (!arguments.ignore_actions) options.contents.push_back(fragment.action);
   }
+  const effort::ContentGroups groups = group(database, fragments, options);
   std::vector<FragmentDatabase::GroupOf> of;
   for (std::size_t i = 0; i < fragments.size(); ++i) of.push_back({fragments[i].id, groups.group[i]});
   database.set_matching(of, records_of(groups, fragments));
   print_groups(fragments, groups);
-  const auto counts = database.counts();
-  fmt::print("{} pairs can be blended, {} of those compared cannot; like is what costs at most {:.4f} m\n",
-             counts.accepted_pairs, counts.pairs - counts.accepted_pairs, groups.threshold);
+  print_pairs(database, fragments);
+  print_measure(fragments, options, groups.threshold);
   fmt::print("next: strut effort estimate {0}, or strut effort labels {0} --import labels.csv\n", database.path());
 }
 
@@ -135,12 +194,23 @@ const char* name_of(PairStatus status) {
   return "rejected";
 }
 
-std::string format_pairs(const FragmentDatabase& database) {
-  std::string text = "first,second,cost_m,share_at_limit,status\n";
+/// Why matching did not accept a pair, as far as what is stored of it tells.
+const char* reason_of(const PairRecord& pair, bool is_one_group, double max_share_at_limit) {
+  if (pair.status != PairStatus::kRejected) return "";
+  if (!is_one_group) return name_of(effort::PairVerdict::kOtherGroup);
+  return pair.share_at_limit > max_share_at_limit ? name_of(effort::PairVerdict::kSlopeLimit) : "unlike or out of step";
+}
+
+std::string format_pairs(const FragmentDatabase& database, double max_share_at_limit) {
+  std::map<effort::RecordId, int> group_of;
+  for (const FragmentRecord& fragment : database.fragments()) group_of[fragment.id] = fragment.group;
+  std::string text = "first,second,cost_m,share_at_limit,status,reason\n";
   for (const PairRecord& pair : database.pairs()) {
     const bool compared = effort::is_rated(pair.cost);
-    text += fmt::format("{},{},{},{},{}\n", pair.first, pair.second, compared ? fmt::format("{:.6f}", pair.cost) : "",
-                        compared ? fmt::format("{:.3f}", pair.share_at_limit) : "", name_of(pair.status));
+    text +=
+        fmt::format("{},{},{},{},{},{}\n", pair.first, pair.second, compared ? fmt::format("{:.6f}", pair.cost) : "",
+                    compared ? fmt::format("{:.3f}", pair.share_at_limit) : "", name_of(pair.status),
+                    reason_of(pair, group_of[pair.first] == group_of[pair.second], max_share_at_limit));
   }
   return text;
 }
@@ -175,7 +245,7 @@ void find(const MatchArguments& arguments, const FragmentDatabase& database) {
     const int clip = index.clip_of(matches[k].frames.begin), start = index.clip(clip).begin;
     const double scale = database.frame_rate() / effort::kFeatureRate;
     fmt::print("{:>8.4f}  {:>7.0f} {:>7.0f}  {}\n", matches[k].cost, (matches[k].frames.begin - start) * scale,
-               (matches[k].frames.end - start) * scale, clips[static_cast<std::size_t>(clip)].name);
+               (matches[k].frames.end - start) * scale, base_name(clips[static_cast<std::size_t>(clip)].name));
   }
 }
 
@@ -187,7 +257,8 @@ void run(const MatchArguments& arguments) {
       arguments.database, decides || arguments.list.empty() ? effort::Access::kReadWrite : effort::Access::kRead);
   if (decides) decide(arguments, database);
   if (!arguments.list.empty()) {
-    write_file(arguments.list, format_pairs(database), overwrite_if(arguments.force));
+    write_file(arguments.list, format_pairs(database, arguments.options.max_share_at_limit),
+               overwrite_if(arguments.force));
     fmt::print("written {}\n", arguments.list);
   }
   if (!decides && arguments.list.empty()) match(arguments, database);
@@ -213,8 +284,12 @@ void add_effort_match(CLI::App& app) {
   command->add_option("--most", arguments->most, "Places that --find shows")
       ->check(number_in(1, 1e6))
       ->capture_default_str();
-  command->add_option("--max-cost", arguments->options.max_cost, "The threshold itself instead, in metres")
+  command
+      ->add_option("--max-cost", arguments->options.max_cost,
+                   "The threshold itself instead, in metres, where no action is named")
       ->check(not_negative());
+  command->add_flag("--ignore-actions", arguments->ignore_actions,
+                    "Compare all with all, whatever actions strut effort segment --action named");
   command->add_flag("--force", arguments->force, "Overwrite an existing table");
   command->callback([arguments] { run(*arguments); });
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numeric>
 #include <string>
 
@@ -38,7 +40,14 @@ void check(const std::vector<FrameMatrix>& fragments, const GroupOptions& option
   if (fragments.size() > kMostFragments) {
     throw InvalidArgument("fragments", "at most " + std::to_string(kMostFragments), std::to_string(fragments.size()));
   }
+  if (!options.contents.empty() && options.contents.size() != fragments.size()) {
+    throw InvalidArgument("contents", "one per fragment or none", std::to_string(options.contents.size()));
+  }
   for (const FrameMatrix& fragment : fragments) {
+    if (fragment.cols() != fragments.front().cols()) {
+      throw InvalidArgument("fragments", std::to_string(fragments.front().cols()) + " columns as the first has",
+                            std::to_string(fragment.cols()));
+    }
     if (fragment.rows() == 0) throw InvalidArgument("fragments", "at least one frame in each", "none");
   }
 }
@@ -56,11 +65,28 @@ struct PairCost {
   float cost, share_at_limit, out_of_step;
 };
 
+/// Counts fragments that are compared, for whoever wants to know.
+class Progress {
+ public:
+  Progress(const std::function<void(int, int)>& tell, std::size_t total)
+      : tell_(tell), total_(static_cast<int>(total)) {}
+  void count() {
+    if (!tell_) return;
+    const std::lock_guard lock(mutex_);
+    tell_(++done_, total_);
+  }
+
+ private:
+  const std::function<void(int, int)>& tell_;
+  std::mutex mutex_;
+  int done_ = 0, total_ = 0;
+};
+
 /// All pairs that can be aligned at all, with fragments in the order of their durations: row i has the pairs of i with
 /// i + 1, i + 2, ... as far as they are at most twice as long.
 class PairCosts {
  public:
-  explicit PairCosts(const std::vector<FrameMatrix>& ascending) : rows_(ascending.size()) {
+  PairCosts(const std::vector<FrameMatrix>& ascending, Progress& progress) : rows_(ascending.size()) {
     const SearchIndex index(ascending);
     std::vector<SearchIndex> out_of_step;
     for (const double share : kRotations) {
@@ -76,6 +102,7 @@ class PairCosts {
           });
       const auto last = static_cast<int>(longer - ascending.begin());
       rows_[static_cast<std::size_t>(i)] = row(query, index, out_of_step, i + 1, last);
+      progress.count();
     });
   }
 
@@ -119,28 +146,39 @@ double threshold_of(const PairCosts& pairs, double share) {
   return share * *at;
 }
 
-bool is_in_step(const PairCost& pair, const GroupOptions& options) {
-  return pair.cost <= options.max_in_step * pair.out_of_step;
-}
+/// When pairs are like: by their cost, or, of one named content, by its share of the cost out of step.
+struct Likeness {
+  bool is_named = false;
+  double threshold = 0.0;  // [m], or a share
+  double max_in_step = 0.0;
+
+  [[nodiscard]] bool is_in_step(const PairCost& pair) const { return pair.cost <= max_in_step * pair.out_of_step; }
+  [[nodiscard]] float distance(const PairCost& pair) const {
+    if (!is_named) return pair.cost;
+    return pair.out_of_step > 0.0F ? pair.cost / pair.out_of_step : 0.0F;
+  }
+};
 
 /// Groups of the fragments in the order of durations.
-std::vector<int> link(const PairCosts& pairs, double threshold, const GroupOptions& options) {
-  const auto far = static_cast<float>(std::max(kFar * threshold, kLeastFar));
+std::vector<int> link(const PairCosts& pairs, const Likeness& like) {
+  const auto far = static_cast<float>(std::max(kFar * like.threshold, kLeastFar));
   detail::AverageLinkage linkage(pairs.size(), far);
   for (int i = 0; i < pairs.size(); ++i) {
     for (std::size_t k = 0; k < pairs.row(i).size(); ++k) {
       const PairCost& pair = pairs.row(i)[k];
-      linkage.set(i, i + 1 + static_cast<int>(k), is_in_step(pair, options) ? pair.cost : std::max(pair.cost, far));
+      const float distance = like.distance(pair);
+      const bool is_near = like.is_named || like.is_in_step(pair);
+      linkage.set(i, i + 1 + static_cast<int>(k), is_near ? distance : std::max(distance, far));
     }
   }
-  return linkage.groups(threshold);
+  return linkage.groups(like.threshold);
 }
 
-PairVerdict verdict_of(const PairCost& pair, bool is_one_group, double threshold, const GroupOptions& options) {
-  if (pair.cost > threshold) return PairVerdict::kUnlike;
-  if (!is_in_step(pair, options)) return PairVerdict::kOutOfStep;
+PairVerdict verdict_of(const PairCost& pair, bool is_one_group, const Likeness& like, double max_share_at_limit) {
+  if (!like.is_named && pair.cost > like.threshold) return PairVerdict::kUnlike;
+  if (!like.is_in_step(pair)) return PairVerdict::kOutOfStep;
   if (!is_one_group) return PairVerdict::kOtherGroup;
-  return pair.share_at_limit > options.max_share_at_limit ? PairVerdict::kSlopeLimit : PairVerdict::kAccepted;
+  return pair.share_at_limit > max_share_at_limit ? PairVerdict::kSlopeLimit : PairVerdict::kAccepted;
 }
 
 /// Numbers groups in the order of their first fragments.
@@ -153,6 +191,47 @@ void number_groups(ContentGroups& groups) {
   }
 }
 
+/// Its coordinates less their means over time.
+FrameMatrix movement_of(const FrameMatrix& fragment) {
+  return fragment.rowwise() - fragment.colwise().mean();
+}
+
+/// The pairs of one group or like, with fragments by their number in `order`.
+void add_pairs(const PairCosts& costs, const std::vector<int>& order, const std::vector<int>& linked,
+               const Likeness& like, double max_share_at_limit, std::vector<MatchedPair>& pairs) {
+  for (int i = 0; i < costs.size(); ++i) {
+    for (std::size_t k = 0; k < costs.row(i).size(); ++k) {
+      const PairCost& pair = costs.row(i)[k];
+      const auto j = static_cast<std::size_t>(i) + 1 + k;
+      const bool is_one_group = linked[static_cast<std::size_t>(i)] == linked[j];
+      if (!is_one_group && like.distance(pair) > like.threshold) continue;
+      const auto [first, second] = std::minmax(order[static_cast<std::size_t>(i)], order[j]);
+      pairs.push_back(
+          {first, second, pair.cost, pair.share_at_limit, verdict_of(pair, is_one_group, like, max_share_at_limit)});
+    }
+  }
+}
+
+/// Groups the fragments `order` among themselves. A group is numbered as one of its fragments.
+void group_content(const std::vector<FrameMatrix>& fragments, std::vector<int> order, bool is_named,
+                   const GroupOptions& options, Progress& progress, ContentGroups& groups) {
+  const auto at = [&](int index) -> const FrameMatrix& { return fragments[static_cast<std::size_t>(index)]; };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return at(a).rows() < at(b).rows(); });
+  std::vector<FrameMatrix> ascending;
+  for (const int index : order) ascending.push_back(is_named ? movement_of(at(index)) : at(index));
+  const PairCosts costs(ascending, progress);
+  Likeness like{is_named, options.max_in_step, options.max_in_step};
+  if (!is_named) {
+    like.threshold = std::isnan(options.max_cost) ? threshold_of(costs, options.median_share) : options.max_cost;
+    groups.threshold = like.threshold;
+  }
+  const std::vector<int> linked = link(costs, like);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    groups.group[static_cast<std::size_t>(order[k])] = order[static_cast<std::size_t>(linked[k])];
+  }
+  add_pairs(costs, order, linked, like, options.max_share_at_limit, groups.pairs);
+}
+
 }  // namespace
 
 const char* name_of(PairVerdict verdict) noexcept {
@@ -162,31 +241,17 @@ const char* name_of(PairVerdict verdict) noexcept {
 
 ContentGroups group_fragments(const std::vector<FrameMatrix>& fragments, const GroupOptions& options) {
   check(fragments, options);
-  if (fragments.empty()) return {};
-  std::vector<int> order(fragments.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto at = [&](int index) -> const FrameMatrix& { return fragments[static_cast<std::size_t>(index)]; };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return at(a).rows() < at(b).rows(); });
-  std::vector<FrameMatrix> ascending;
-  for (const int index : order) ascending.push_back(at(index));
-  const PairCosts costs(ascending);
-  ContentGroups groups;
-  groups.threshold = std::isnan(options.max_cost) ? threshold_of(costs, options.median_share) : options.max_cost;
-  const std::vector<int> linked = link(costs, groups.threshold, options);
-  groups.group.resize(fragments.size());
-  for (std::size_t k = 0; k < order.size(); ++k) groups.group[static_cast<std::size_t>(order[k])] = linked[k];
-  number_groups(groups);
-  for (int i = 0; i < costs.size(); ++i) {
-    for (std::size_t k = 0; k < costs.row(i).size(); ++k) {
-      const PairCost& pair = costs.row(i)[k];
-      const auto j = static_cast<std::size_t>(i) + 1 + k;
-      const bool is_one_group = linked[static_cast<std::size_t>(i)] == linked[j];
-      if (!is_one_group && pair.cost > groups.threshold) continue;
-      const auto [first, second] = std::minmax(order[static_cast<std::size_t>(i)], order[j]);
-      groups.pairs.push_back(
-          {first, second, pair.cost, pair.share_at_limit, verdict_of(pair, is_one_group, groups.threshold, options)});
-    }
+  std::map<std::string, std::vector<int>> contents;
+  for (std::size_t k = 0; k < fragments.size(); ++k) {
+    contents[options.contents.empty() ? "" : options.contents[k]].push_back(static_cast<int>(k));
   }
+  Progress progress(options.progress, fragments.size());
+  ContentGroups groups;
+  groups.group.resize(fragments.size());
+  for (const auto& [content, members] : contents) {
+    group_content(fragments, members, !content.empty(), options, progress, groups);
+  }
+  number_groups(groups);
   std::sort(groups.pairs.begin(), groups.pairs.end(), [](const MatchedPair& a, const MatchedPair& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });

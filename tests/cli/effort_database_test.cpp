@@ -54,6 +54,22 @@ TEST_F(EffortDatabase, KeepsWhatAPersonSaysOfAPair) {
   EXPECT_THAT(read_file(here_.file("pairs.csv")), HasSubstr("rejected by a person"));
 }
 
+TEST_F(EffortDatabase, MatchesWithinNamedActionsUnlessToldNotTo) {
+  ASSERT_EQ(segment().exit_code, 0);
+  effort::FragmentDatabase::open(here_.file("moves.db"), effort::Access::kReadWrite).describe_clip(1, "", "walk");
+  EXPECT_THAT(effort({"match", "@moves.db"}).out, HasSubstr("1 named actions tell contents apart"));
+  {
+    const auto database = effort::FragmentDatabase::open(here_.file("moves.db"));
+    for (const auto& a : database.fragments()) {
+      for (const auto& b : database.fragments()) EXPECT_TRUE(a.action == b.action || a.group != b.group);
+    }
+  }
+  const ProgramResult all = effort({"match", "@moves.db", "--ignore-actions"});
+  EXPECT_THAT(all.out, AllOf(HasSubstr("like is what costs at most"), HasSubstr("have a partner in another clip")));
+  ASSERT_EQ(effort({"match", "@moves.db", "--list", "@pairs.csv"}).exit_code, 0);
+  EXPECT_THAT(read_file(here_.file("pairs.csv")), HasSubstr("share_at_limit,status,reason\n"));
+}
+
 TEST_F(EffortDatabase, RefusesInOneLineAndLeavesTheDatabaseAsItWas) {
   ASSERT_EQ(segment().exit_code, 0);
   const std::string before = read_file(here_.file("moves.db"));

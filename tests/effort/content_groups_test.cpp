@@ -102,6 +102,54 @@ TEST(GroupFragments, ReportsTheCostOfWholeOnWhole) {
   }
 }
 
+/// Three contents in five styles whose postures lie farther apart than the contents do.
+std::vector<FrameMatrix> fragments_of_far_styles() {
+  std::vector<FrameMatrix> made = fragments(3);
+  for (std::size_t k = 0; k < made.size(); ++k) made[k].array() += 3.0 * static_cast<double>(k / 3);
+  return made;
+}
+
+TEST(GroupFragments, JoinsStylesOfNamedContentsHoweverFarTheirPostures) {
+  GroupOptions options;
+  for (int k = 0; k < 15; ++k) options.contents.push_back(std::string(1, static_cast<char>('c' - k % 3)));
+  EXPECT_GT(group_fragments(fragments_of_far_styles()).num_groups, 3);
+  const ContentGroups groups = group_fragments(fragments_of_far_styles(), options);
+  ASSERT_EQ(groups.num_groups, 3);
+  for (std::size_t k = 0; k < 15; ++k) EXPECT_EQ(groups.group[k], static_cast<int>(k % 3));
+  EXPECT_EQ(count(groups, PairVerdict::kAccepted), 3 * 10);
+}
+
+TEST(GroupFragments, NeverJoinsDifferentlyNamedContents) {
+  const std::vector<FrameMatrix> equal(4, fragment(0, 0.0, 40));
+  const ContentGroups groups = group_fragments(equal, {.contents = {"wave", "", "bow", ""}});
+  EXPECT_EQ(groups.group, (std::vector<int>{0, 1, 2, 1}));
+  ASSERT_EQ(groups.pairs.size(), 1U);
+  EXPECT_EQ(groups.pairs[0].first, 1);
+}
+
+TEST(GroupFragments, KeepsStrokesOfOneNamedContentApart) {
+  std::vector<FrameMatrix> strokes;
+  for (int k = 0; k < 6; ++k) {
+    const Eigen::VectorXd way = Eigen::VectorXd::LinSpaced(30 + k, 0.0, 1.0);
+    FrameMatrix rows(30 + k, 2);
+    rows << way, Eigen::VectorXd::Constant(30 + k, 0.5 * k);
+    strokes.push_back(k % 2 == 0 ? rows : FrameMatrix(rows.colwise().reverse()));
+  }
+  const ContentGroups groups = group_fragments(strokes, {.contents = std::vector<std::string>(6, "raise")});
+  EXPECT_EQ(groups.group, (std::vector<int>{0, 1, 0, 1, 0, 1}));
+}
+
+TEST(GroupFragments, TellsHowFarItHasCome) {
+  std::vector<int> seen;
+  group_fragments(fragments(3), {.progress = [&](int done, int total) {
+                    EXPECT_EQ(total, 15);
+                    seen.push_back(done);
+                  }});
+  ASSERT_EQ(seen.size(), 15U);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_EQ(seen.back(), 15);
+}
+
 TEST(GroupFragments, TakesAThresholdThatIsGiven) {
   const ContentGroups groups = group_fragments(fragments(3), {.max_cost = 0.0});
   EXPECT_EQ(groups.threshold, 0.0);
@@ -132,6 +180,7 @@ TEST(GroupFragments, RefusesWhatIsNoFragmentOrOption) {
   EXPECT_THROW(group_fragments({fragment(0, 0.0, 30), FrameMatrix(0, 6)}), InvalidArgument);
   EXPECT_THROW(group_fragments({fragment(0, 0.0, 30), FrameMatrix::Ones(5, 3)}), InvalidArgument);
   EXPECT_THROW(group_fragments({fragment(0, std::nan(""), 30)}), InvalidArgument);
+  EXPECT_THROW(group_fragments({fragment(0, 0.0, 30)}, {.contents = {"a", "b"}}), InvalidArgument);
   EXPECT_THROW(group_fragments({}, {.median_share = 0.0}), InvalidArgument);
   EXPECT_THROW(group_fragments({}, {.max_in_step = 1.1}), InvalidArgument);
   EXPECT_THROW(group_fragments({}, {.max_share_at_limit = -0.1}), InvalidArgument);

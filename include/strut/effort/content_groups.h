@@ -4,7 +4,9 @@
 // may differ is read off the fragments themselves.
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <strut/math/frame_matrix.h>
@@ -17,6 +19,10 @@ struct GroupOptions {
   double max_in_step = 0.9;          ///< share of its own cost out of step that a like pair costs at most, (0, 1]
   double max_share_at_limit = 0.15;  ///< of the path's length (FragmentMatch::share_at_limit), 0 ... 1
   double max_cost = std::numeric_limits<double>::quiet_NaN();  ///< the threshold [m], >= 0; NaN: from the fragments
+  /// What every fragment shows, where a person has said so; "" where not. Empty, or one per fragment.
+  std::vector<std::string> contents = {};
+  /// Told how many of how many fragments are compared. Called from several threads, one at a time.
+  std::function<void(int done, int total)> progress = {};
 };
 
 /// Why two fragments can be blended or cannot.
@@ -34,7 +40,8 @@ const char* name_of(PairVerdict verdict) noexcept;
 /// Two fragments that are of one group or like.
 struct MatchedPair {
   int first = 0, second = 0;    ///< indices of the fragments, first < second
-  double cost = 0.0;            ///< of the whole of one on the whole of the other (whole_matches) [m]
+  double cost = 0.0;            ///< of the whole of one on the whole of the other (whole_matches) [m]; of two of one
+                                ///< named content, of their movements
   double share_at_limit = 0.0;  ///< of their path
   PairVerdict verdict = PairVerdict::kAccepted;
 };
@@ -44,7 +51,7 @@ struct ContentGroups {
   std::vector<int> group;  ///< of every fragment, from 0 in the order of their first fragments; one that is
                            ///< like no other is a group of its own
   int num_groups = 0;
-  double threshold = 0.0;          ///< the cost below which pairs count as like [m]
+  double threshold = 0.0;          ///< the cost below which pairs count as like [m], but those of one named content
   std::vector<MatchedPair> pairs;  ///< by first, then second
 };
 
@@ -59,9 +66,15 @@ struct ContentGroups {
 /// of durations that differ by more than a factor of two, counts there as twice the threshold, at least. Pairs are
 /// accepted that are like, of one group, and at the slope limit for at most max_share_at_limit.
 ///
+/// Fragments of one named content need no threshold to be told from others, so that styles join whose postures differ
+/// as much as contents do. Of them the movements are compared, each fragment less its mean posture, and a pair is like
+/// if it costs at most max_in_step of what it costs out of step; linkage goes by that share. A fragment of a named
+/// content never joins one of another content or of none; those of none are grouped among themselves as above.
+///
 /// Without fragments there are no groups. Throws InvalidArgument if a fragment has no frame or more than
-/// kMostQueryFrames, the widths differ, a number is not finite, an option is out of range, or there are more than
-/// 20000. Cost O(n^2) alignments and 4 n^2 bytes, on several threads; the result does not depend on their number.
+/// kMostQueryFrames, there are contents but not as many as fragments, the widths differ, a number is not finite, an
+/// option is out of range, or there are more than 20000. Cost O(n^2) alignments and 4 n^2 bytes, on several threads;
+/// the result does not depend on their number.
 ContentGroups group_fragments(const std::vector<FrameMatrix>& fragments, const GroupOptions& options = {});
 
 }  // namespace strut::effort
