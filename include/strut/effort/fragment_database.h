@@ -77,7 +77,10 @@ enum class TargetKind { kFragment, kBlend };
 struct LabelTarget {
   TargetKind kind = TargetKind::kFragment;
   RecordId id = 0;  ///< of the fragment or the blend
-  friend auto operator<=>(const LabelTarget&, const LabelTarget&) = default;
+  friend bool operator==(const LabelTarget&, const LabelTarget&) = default;
+  friend bool operator<(const LabelTarget& a, const LabelTarget& b) {
+    return a.kind == b.kind ? a.id < b.id : a.kind < b.kind;
+  }
 };
 
 /// Where a label comes from. A synthetic rater is a formula that stands in for a person in a study. Estimates are no
