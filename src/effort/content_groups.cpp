@@ -19,9 +19,10 @@ namespace strut::effort {
 namespace {
 
 constexpr std::size_t kMostFragments = 20000;
-constexpr double kLeastFar = 1e-6;          // [m]: what cannot be like stays apart even where only equals are
-constexpr double kFar = 2.0;                // thresholds: what counts in linkage for a pair that cannot be like
-constexpr std::size_t kSample = 1U << 20U;  // costs out of step that the median is taken of, at most
+constexpr double kLeastFar = 1e-6;              // [m]: what cannot be like stays apart even where only equals are
+constexpr std::size_t kMostForThreshold = 400;  // fragments that like_threshold looks at
+constexpr double kFar = 2.0;                    // thresholds: what counts in linkage for a pair that cannot be like
+constexpr std::size_t kSample = 1U << 20U;      // costs out of step that the median is taken of, at most
 constexpr std::array<double, 3> kRotations = {0.25, 0.5, 0.75};
 
 void check(const std::vector<FrameMatrix>& fragments, const GroupOptions& options) {
@@ -256,6 +257,19 @@ ContentGroups group_fragments(const std::vector<FrameMatrix>& fragments, const G
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });
   return groups;
+}
+
+double like_threshold(const std::vector<FrameMatrix>& fragments) {
+  const GroupOptions options;
+  const std::size_t every = (fragments.size() + kMostForThreshold - 1) / kMostForThreshold;
+  std::vector<FrameMatrix> picked;
+  for (std::size_t k = 0; k < fragments.size(); k += every) picked.push_back(fragments[k]);
+  check(picked, options);
+  if (picked.size() < 2) return 0.0;
+  std::stable_sort(picked.begin(), picked.end(),
+                   [](const FrameMatrix& a, const FrameMatrix& b) { return a.rows() < b.rows(); });
+  Progress progress(options.progress, picked.size());
+  return threshold_of(PairCosts(picked, progress), options.median_share);
 }
 
 }  // namespace strut::effort

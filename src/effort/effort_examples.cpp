@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <strut/core/error.h>
+#include <strut/effort/content_groups.h>
 #include <strut/effort/descriptors.h>
 #include <strut/effort/fragment_names.h>
 #include <strut/effort/learn_effort.h>
@@ -100,8 +101,8 @@ std::vector<ReadFragment> grouped_fragments(const FragmentDatabase& database) {
   return found;
 }
 
-/// The least alike pair that the threshold accepted; of pairs that people alone accepted, the least alike of those.
-double threshold_of(const std::vector<PairRecord>& accepted) {
+/// The least alike pair that matching accepted; of pairs that people alone accepted, the least alike of those.
+double least_alike(const std::vector<PairRecord>& accepted) {
   double by_threshold = 0.0, by_person = 0.0;
   for (const PairRecord& pair : accepted) {
     if (!is_rated(pair.cost)) continue;
@@ -203,7 +204,9 @@ EffortExamples effort_examples(const FragmentDatabase& database, const LearnOpti
   std::vector<FrameMatrix> features;
   for (const Motion& motion : motions) features.push_back(joint_features(motion, examples.upright));
   examples.space = fit_feature_space(features);
-  examples.threshold = threshold_of(accepted);
+  for (FrameMatrix& rows : features) rows = project(examples.space, rows);
+  // Pairs of one named content are compared by their movement alone, which costs less than a snippet's posture.
+  examples.threshold = std::max(least_alike(accepted), like_threshold(features));
   examples.num_labels = labels.count;
   examples.are_synthetic = labels.are_synthetic;
   examples.raters.assign(labels.raters.begin(), labels.raters.end());

@@ -178,19 +178,22 @@ SupportVectors fit_support(const EffortRegressionParts& parts, int factor) {
 }
 
 void report(const EffortRegressionParts& parts, Diagnostics* diagnostics) {
-  if (diagnostics == nullptr) return;
-  const detail::BlendInputs inputs(parts);
   const bool learns =
       parts.method == RegressionMethod::kLinearPlusResidual || parts.method == RegressionMethod::kSupportVector;
-  for (int d = 0; learns && d < kNumPredictedFactors; ++d) {
+  if (diagnostics == nullptr || !learns) return;
+  const detail::BlendInputs inputs(parts);
+  std::string factors;
+  for (int d = 0; d < kNumPredictedFactors; ++d) {
     if (!detail::rated_blends(inputs, d, parts.blends).empty()) continue;
-    diagnostics->note("regression",
-                      std::string("no labelled blend of ") + kFactorNames[static_cast<std::size_t>(d)] +
-                          (parts.method == RegressionMethod::kSupportVector
-                               ? ": its prediction is 0"
-                               : ": labels carry over linearly, with a deviation that is assumed"),
-                      "label some blends: strut effort next names those that help most");
+    factors += (factors.empty() ? "" : ", ") + std::string(kFactorNames[static_cast<std::size_t>(d)]);
   }
+  if (factors.empty()) return;
+  diagnostics->note("regression",
+                    "no labelled blend of " + factors +
+                        (parts.method == RegressionMethod::kSupportVector
+                             ? ": the prediction is 0"
+                             : ": labels carry over linearly, with a deviation that is assumed"),
+                    "label some blends: strut effort next names those that help most");
 }
 
 }  // namespace

@@ -150,6 +150,24 @@ TEST(GroupFragments, TellsHowFarItHasCome) {
   EXPECT_EQ(seen.back(), 15);
 }
 
+TEST(LikeThreshold, IsThatOfGroupingWithoutNames) {
+  const std::vector<FrameMatrix> few = fragments(3);
+  EXPECT_EQ(like_threshold(few), group_fragments(few).threshold);
+  EXPECT_GT(like_threshold(few), 0.0);
+  EXPECT_EQ(like_threshold({}), 0.0);
+  EXPECT_EQ(like_threshold({few.front()}), 0.0);
+}
+
+TEST(LikeThreshold, LooksAtSomeOfMany) {
+  std::vector<FrameMatrix> many;
+  for (int k = 0; k < 2; ++k) {
+    for (int style = 0; style < 401; ++style) many.push_back(fragment(k, 0.01 * style, 20));
+  }
+  std::vector<FrameMatrix> third;
+  for (std::size_t k = 0; k < many.size(); k += 3) third.push_back(many[k]);
+  EXPECT_EQ(like_threshold(many), like_threshold(third));
+}
+
 TEST(GroupFragments, TakesAThresholdThatIsGiven) {
   const ContentGroups groups = group_fragments(fragments(3), {.max_cost = 0.0});
   EXPECT_EQ(groups.threshold, 0.0);

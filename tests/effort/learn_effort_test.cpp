@@ -91,7 +91,7 @@ TEST_F(EffortExamplesOf, BringsLabelsOfAllRatersTogether) {
   ASSERT_EQ(examples.blends.size(), 1U);
   EXPECT_EQ(examples.blends[0].second, 1);
   EXPECT_EQ(examples.scales[0].num_fragments, 3) << "what is usual is seen from unlabelled fragments too";
-  EXPECT_NEAR(examples.threshold, 0.2, 1e-12);
+  EXPECT_GE(examples.threshold, 0.2);  // of the least alike pair that was accepted
   EXPECT_EQ(examples.raters, (std::vector<std::string>{"ana", "ben"}));
   EXPECT_GE(diagnostics.entries().size(), 2U) << "one group with nothing to blend; few labels";
   const auto model = learn_effort(examples, {});

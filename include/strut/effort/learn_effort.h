@@ -30,10 +30,11 @@ struct EffortExamples {
   std::vector<DescriptorScale> scales;           ///< per group, of all its fragments, labelled or not
   FeatureSpace space;                            ///< of all fragments
   Eigen::Quaterniond upright;                    ///< of all fragments
-  double threshold = 0.0;                        ///< mean distance of the least alike pair that was accepted [m]
-  int num_labels = 0;                            ///< single labels that all this is the mean of
-  std::vector<std::string> raters;               ///< who gave them
-  bool are_synthetic = false;                    ///< whether a synthetic rater did
+  double threshold =
+      0.0;             ///< of the least alike pair that was accepted, at least like_threshold (content_groups.h) [m]
+  int num_labels = 0;  ///< single labels that all this is the mean of
+  std::vector<std::string> raters;  ///< who gave them
+  bool are_synthetic = false;       ///< whether a synthetic rater did
 };
 
 /// Reads a database. Fragments of no group, without a label or too short to be described (less than four frames at
