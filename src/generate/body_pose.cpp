@@ -11,21 +11,10 @@
 namespace strut::generate::detail {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kElbowOut = 0.25;  // elbows turned a little outwards [rad]
-
-Quaterniond about_x(double angle) {
-  return Quaterniond(AngleAxisd(angle, Vector3d::UnitX()));
-}
-Quaterniond about_y(double angle) {
-  return math::rotation_about_y(angle);
-}
-Quaterniond about_z(double angle) {
-  return Quaterniond(AngleAxisd(angle, Vector3d::UnitZ()));
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <strut/math/rotation.h>
 #include <strut/motion/motion.h>
 
 namespace strut::generate::detail {
@@ -46,6 +47,17 @@ struct ArmAngles {
   double elbow = 0.0;    ///< bend
   double wrist = 0.0;    ///< bend
 };
+
+/// Rotations by an angle [rad] about one axis.
+inline Eigen::Quaterniond about_x(double angle) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()));
+}
+inline Eigen::Quaterniond about_y(double angle) {
+  return math::rotation_about_y(angle);
+}
+inline Eigen::Quaterniond about_z(double angle) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+}
 
 /// How high an ankle is above the ground where the sole is flat [m].
 double ankle_height(const Skeleton& skeleton);

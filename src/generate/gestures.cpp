@@ -18,8 +18,10 @@
 namespace strut::generate {
 namespace {
 
+using detail::about_x;
+using detail::about_y;
+using detail::about_z;
 using detail::GesturePath;
-using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
@@ -63,16 +65,6 @@ void check(const GestureContent& content, const GestureStyle& style, const Perfo
   check_range("who.tremor", who.tremor, 0.0, 0.05);
   check_range("who.habit", who.habit, 0.0, 0.3);
   check_range("frame_rate", frame_rate, 1.0, 10000.0);
-}
-
-Quaterniond about_x(double angle) {
-  return Quaterniond(AngleAxisd(angle, Vector3d::UnitX()));
-}
-Quaterniond about_y(double angle) {
-  return math::rotation_about_y(angle);
-}
-Quaterniond about_z(double angle) {
-  return Quaterniond(AngleAxisd(angle, Vector3d::UnitZ()));
 }
 
 /// Postures as poses of one body.

@@ -13,7 +13,6 @@
 namespace strut::generate::detail {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
@@ -26,16 +25,6 @@ constexpr int kSamplesPerStep = 48;       // where the pelvis' height is fitted 
 constexpr double kHurry = 6.0;            // curvature of the swing as the toes leave: the foot hurries after the body
 constexpr double kBrake = -6.0;           // and as the heel lands: it arrives moving, not hovering
 constexpr double kLookAhead = 0.35;       // how far ahead the head looks into a turn [s]
-
-Quaterniond about_x(double angle) {
-  return Quaterniond(AngleAxisd(angle, Vector3d::UnitX()));
-}
-Quaterniond about_y(double angle) {
-  return math::rotation_about_y(angle);
-}
-Quaterniond about_z(double angle) {
-  return Quaterniond(AngleAxisd(angle, Vector3d::UnitZ()));
-}
 
 /// The quintic over u in [0, 1] from (p0, slope v0) to (p1, slope v1) with curvatures `bend0` and `bend1` times
 /// the chord at its ends.
