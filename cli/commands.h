@@ -20,6 +20,7 @@ void add_footplants(CLI::App& app);
 void add_sysid(CLI::App& app);
 void add_blend(CLI::App& app);
 void add_effort(CLI::App& app);
+void add_view(CLI::App& app);
 void add_demo(CLI::App& app);
 void add_completion(CLI::App& app);
 

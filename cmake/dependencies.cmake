@@ -10,6 +10,7 @@
 #   fmt           9.1.0    MIT         text on the terminal                            program
 #   CLI11         2.1.2    BSD-3       command line                                    program
 #   nlohmann-json 3.11.2   MIT         --json, provenance                              program
+#   cpp-httplib   0.11.4   MIT         the viewer's server                             program
 #   GoogleTest    1.12.1   BSD-3       tests                                           developers
 #   RapidCheck    2023-03  BSD-2       property tests                                  developers
 #   SLICOT        5.0      GPL-2.0+    tests: an oracle; never linked into the rest    developers, optional
@@ -29,6 +30,9 @@ if(NOT STRUT_RUNTIME_ONLY)
     find_package(fmt REQUIRED)
     find_package(CLI11 REQUIRED)
     find_package(nlohmann_json REQUIRED)
+    list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+    find_package(CppHttplib REQUIRED)
+    list(POP_FRONT CMAKE_MODULE_PATH)
   endif()
   if(STRUT_BUILD_TESTS)
     find_package(GTest REQUIRED)

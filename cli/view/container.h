@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The container in which numbers go to the page: how long the header is (4 bytes, little-endian), the header (JSON,
+// padded with blanks to a multiple of four bytes), then the arrays that its "arrays" names, each at its byte from the
+// end of the header. Read by viewer/src/data/container.ts; described in docs/viewer.md.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace strut::cli {
+
+class Container {
+ public:
+  using Json = nlohmann::ordered_json;
+  explicit Container(Json header) : header_(std::move(header)) { header_["arrays"] = Json::array(); }
+
+  /// Adds an array of 32-bit numbers; NaN stands for "no number".
+  void add(std::string_view name, const std::vector<float>& values);
+
+  [[nodiscard]] std::string bytes() const;
+
+ private:
+  Json header_;
+  std::string arrays_;
+};
+
+}  // namespace strut::cli
