@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view/clip_answer.h"
 
+#include "clip_figures.h"
 #include "view/workspace.h"
 
 #include <array>
@@ -67,11 +68,11 @@ std::vector<float> positions_of(const Motion& motion) {
 }  // namespace
 
 Container clip_answer(const std::string& id, const std::string& name, const Motion& motion, const Diagnostics& notes) {
+  std::vector<motion::Footplant> found;
+  if (const auto legs = motion::find_legs(motion)) found = postprocess::detect_footplants(motion, *legs);
   Json plants = Json::array();
-  if (const auto legs = motion::find_legs(motion)) {
-    for (const motion::Footplant& plant : postprocess::detect_footplants(motion, *legs)) {
-      plants.push_back({{"foot", plant.foot}, {"begin", plant.begin}, {"end", plant.end}});
-    }
+  for (const motion::Footplant& plant : found) {
+    plants.push_back({{"foot", plant.foot}, {"begin", plant.begin}, {"end", plant.end}});
   }
   Container container({{"id", id},
                        {"name", name},
@@ -80,7 +81,7 @@ Container clip_answer(const std::string& id, const std::string& name, const Moti
                        {"points", points_of(motion)},
                        {"pelvis", motion.skeleton().pelvis()},
                        {"plants", plants},
-                       {"figures", Json::array()},
+                       {"figures", as_json(clip_figures(motion, found))},
                        {"curves", Json::array()},
                        {"notes", as_json(notes)}});
   container.add("positions", positions_of(motion));
