@@ -50,7 +50,7 @@ export class ActorView {
     this.figure = new Figure(clip);
     this.ring = new Ring(colour);
     this.label = new Label(overlay, 'actor-label');
-    this.label.element.textContent = actor.title;
+    this.label.text = actor.title;
     this.label.element.style.setProperty('--clip', `var(--clip-${colour % 6})`);
     this.object.add(this.figure.object, this.ring.object);
   }
@@ -122,7 +122,12 @@ export class ActorView {
   }
 
   /** The joint that is drawn nearest to the pointer. */
-  pick(camera: THREE.Camera, size: readonly [number, number], at: readonly [number, number], reach: number): Nearest | null {
+  pick(
+    camera: THREE.Camera,
+    size: readonly [number, number],
+    at: readonly [number, number],
+    reach: number,
+  ): Nearest | null {
     projection.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).multiply(this.object.matrixWorld);
     return nearestPoint(this.pose, this.joints, projection.elements, size, at, reach);
   }

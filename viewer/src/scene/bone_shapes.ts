@@ -49,8 +49,10 @@ function banded(geometry: THREE.BufferGeometry): THREE.BufferGeometry {
   const place = geometry.getAttribute('position');
   const colours = new Float32Array(3 * place.count);
   for (let i = 0; i < place.count; i += 3) {
-    const middle = (Math.max(place.getY(i), place.getY(i + 1), place.getY(i + 2)) +
-      Math.min(place.getY(i), place.getY(i + 1), place.getY(i + 2))) / 2;
+    const middle =
+      (Math.max(place.getY(i), place.getY(i + 1), place.getY(i + 2)) +
+        Math.min(place.getY(i), place.getY(i + 1), place.getY(i + 2))) /
+      2;
     const isBand = BANDS.some(([from, to]) => middle > from && middle < to);
     colours.fill(isBand ? BAND : 1, 3 * i, 3 * i + 9);
   }

@@ -82,7 +82,8 @@ export class CameraRig {
     const lens = { fov: THREE.MathUtils.degToRad(FOV), aspect: this.camera.aspect };
     const radius = Math.min(fittingDistance(extent, direction, lens), this.controls.maxDistance);
     // The short way round.
-    const theta = from.theta + Math.atan2(Math.sin(direction.azimuth - from.theta), Math.cos(direction.azimuth - from.theta));
+    const theta =
+      from.theta + Math.atan2(Math.sin(direction.azimuth - from.theta), Math.cos(direction.azimuth - from.theta));
     const to = new THREE.Spherical(radius, Math.PI / 2 - direction.elevation, theta);
     this.glide = { fromTarget: this.controls.target.clone(), toTarget: target, from, to, done: glides ? 0 : 1 };
     if (!glides) this.update(0);

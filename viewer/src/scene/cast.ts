@@ -19,6 +19,16 @@ function isSame(view: ActorView, actor: Actor): boolean {
   return clip === actor.clip && colour === actor.colour && title === actor.title && sameFrames;
 }
 
+/** A joint that was found, and where it is in the world. */
+export interface FoundJoint {
+  name: string;
+  x: number;
+  y: number;
+  z: number;
+}
+
+const scratch = new THREE.Vector3();
+
 export class Cast {
   readonly object = new THREE.Group();
   views: ActorView[] = [];
@@ -75,6 +85,36 @@ export class Cast {
     this.middle.z = z / Math.max(1, this.views.length);
   }
 
+  /** How far the farthest body is from the middle [m]. */
+  reach(): number {
+    let farthest = 0;
+    for (const view of this.views) {
+      const { x, z } = view.smoothedPlace();
+      farthest = Math.max(farthest, Math.hypot(x - this.middle.x, z - this.middle.z));
+    }
+    return farthest;
+  }
+
+  /** The joint drawn nearest to `at` (pixels from the upper left corner), within `reach` pixels. */
+  pick(
+    camera: THREE.Camera,
+    size: readonly [number, number],
+    at: readonly [number, number],
+    reach: number,
+  ): FoundJoint | null {
+    let found: FoundJoint | null = null;
+    let nearest = reach;
+    for (const view of this.views) {
+      const candidate = view.pick(camera, size, at, nearest);
+      if (!candidate) continue;
+      nearest = candidate.distance;
+      scratch.fromArray(view.pose, 3 * candidate.point).applyMatrix4(view.object.matrixWorld);
+      const { x, y, z } = scratch;
+      found = { name: view.actor.clip.header.points[candidate.point]!.name, x, y, z };
+    }
+    return found;
+  }
+
   /** Where the first actor faces at its beginning, after placing [rad]. */
   get heading(): number {
     const first = this.views[0];
@@ -94,7 +134,9 @@ export class Cast {
 
   /** Adds the bodies at the part `share` of each clip. */
   private includeMoment(extent: Extent, share: number, follows: boolean): void {
-    const frames = this.views.map(({ course }) => Math.round(course.begin + share * Math.max(0, course.end - 1 - course.begin)));
+    const frames = this.views.map(({ course }) =>
+      Math.round(course.begin + share * Math.max(0, course.end - 1 - course.begin)),
+    );
     const middle = follows ? this.middleAt(frames) : this.middle;
     this.views.forEach(({ actor: { clip }, object, joints }, i) => {
       const by = { x: object.position.x, z: object.position.z, yaw: object.rotation.y };

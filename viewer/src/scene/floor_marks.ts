@@ -72,7 +72,16 @@ function sole(foot: 0 | 1): Path2D {
     path.roundRect(edge, edge, w - 2 * edge, h - 2 * edge, [w / 2 - edge, w / 2 - edge, w / 2.6, w / 2.6]);
     return path;
   }
-  const corners = [[0.3, 0], [0.7, 0], [1, 0.16], [1, 0.55], [0.82, 1], [0.18, 1], [0, 0.55], [0, 0.16]];
+  const corners = [
+    [0.3, 0],
+    [0.7, 0],
+    [1, 0.16],
+    [1, 0.55],
+    [0.82, 1],
+    [0.18, 1],
+    [0, 0.55],
+    [0, 0.16],
+  ];
   for (const [x, y] of corners) path.lineTo(edge + x! * (w - 2 * edge), edge + y! * (h - 2 * edge));
   path.closePath();
   return path;

@@ -8,9 +8,16 @@ const place = new Vector3();
 
 export class Label {
   readonly element = document.createElement('div');
+  private readonly words = document.createElement('span');
+
   constructor(container: HTMLElement, className: string) {
     this.element.className = className;
+    this.element.append(this.words);
     container.append(this.element);
+  }
+
+  set text(words: string) {
+    if (this.words.textContent !== words) this.words.textContent = words;
   }
 
   /** Puts the label at the place (x, y, z) of the world, as `camera` sees it. */

@@ -14,8 +14,10 @@ export interface PointerListener {
 export function watchPointer(element: HTMLElement, listener: PointerListener): () => void {
   let down: readonly [number, number] | null = null;
   const stop = new AbortController();
-  const on = (type: 'pointermove' | 'pointerdown' | 'pointerup' | 'pointerleave', then: (event: PointerEvent) => void) =>
-    element.addEventListener(type, then, { signal: stop.signal });
+  const on = (
+    type: 'pointermove' | 'pointerdown' | 'pointerup' | 'pointerleave',
+    then: (event: PointerEvent) => void,
+  ) => element.addEventListener(type, then, { signal: stop.signal });
   on('pointermove', (event) => listener.moved(event.buttons ? null : [event.offsetX, event.offsetY]));
   on('pointerleave', () => listener.moved(null));
   on('pointerdown', (event) => {

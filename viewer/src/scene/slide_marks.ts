@@ -27,8 +27,7 @@ function marksOf(clip: Clip, foot: number, { ankle, toe }: { ankle: number; toe:
     const at = 3 * (frame * clip.numPoints + slower);
     const [x, z] = [clip.positions[at]!, clip.positions[at + 2]!];
     const before = marks.at(-1);
-    const isNew =
-      !before || Math.hypot(x - before[0]!, z - before[1]!) > NEAR || Math.abs(slide - before[2]!) > ALIKE;
+    const isNew = !before || Math.hypot(x - before[0]!, z - before[1]!) > NEAR || Math.abs(slide - before[2]!) > ALIKE;
     if (isNew) marks.push([x, z, slide]);
   }
   return marks;

@@ -30,7 +30,10 @@ function withMoments(material: LineMaterial): LineMaterial {
       #include <logdepthbuf_vertex>`,
     );
   material.fragmentShader = material.fragmentShader
-    .replace('void main() {', 'uniform vec2 shown; uniform float now; uniform float fades; varying float moment;\nvoid main() {')
+    .replace(
+      'void main() {',
+      'uniform vec2 shown; uniform float now; uniform float fades; varying float moment;\nvoid main() {',
+    )
     .replace(
       'float alpha = opacity;',
       `if (moment < shown.x || moment > shown.y) discard;
