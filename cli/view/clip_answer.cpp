@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view/clip_answer.h"
 
+#include "view/curve_answer.h"
 #include "view/workspace.h"
 
 #include <array>
@@ -68,10 +69,10 @@ std::vector<float> positions_of(const Motion& motion) {
 
 Container clip_answer(const std::string& id, const std::string& name, const Motion& motion, const Diagnostics& notes) {
   Json plants = Json::array();
-  if (const auto legs = motion::find_legs(motion)) {
-    for (const motion::Footplant& plant : postprocess::detect_footplants(motion, *legs)) {
-      plants.push_back({{"foot", plant.foot}, {"begin", plant.begin}, {"end", plant.end}});
-    }
+  std::vector<motion::Footplant> footplants;
+  if (const auto legs = motion::find_legs(motion)) footplants = postprocess::detect_footplants(motion, *legs);
+  for (const motion::Footplant& plant : footplants) {
+    plants.push_back({{"foot", plant.foot}, {"begin", plant.begin}, {"end", plant.end}});
   }
   Container container({{"id", id},
                        {"name", name},
@@ -81,9 +82,10 @@ Container clip_answer(const std::string& id, const std::string& name, const Moti
                        {"pelvis", motion.skeleton().pelvis()},
                        {"plants", plants},
                        {"figures", Json::array()},
-                       {"curves", Json::array()},
+                       {"curves", curves_of(motion)},
                        {"notes", as_json(notes)}});
   container.add("positions", positions_of(motion));
+  container.add("slide", slide_of(motion, footplants));
   return container;
 }
 
