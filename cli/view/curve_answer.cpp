@@ -146,13 +146,17 @@ Container::Json curves_of(const Motion& motion) {
   return curves;
 }
 
-Container curve_answer(const Motion& motion, const std::string& name) {
+std::vector<float> curve_values(const Motion& motion, const std::string& name) {
   const Choices choices = choices_of(motion);
   const auto found =
       std::find_if(choices.begin(), choices.end(), [&](const Choice& choice) { return choice.name == name; });
   if (found == choices.end()) throw Refusal{404, "the clip has no curve '" + name + "'", {}};
-  Container container({{"name", name}, {"unit", found->unit}});
-  container.add("values", as_floats(found->values(motion)));
+  return as_floats(found->values(motion));
+}
+
+Container curve_answer(const Motion& motion, const std::string& name) {
+  Container container({{"name", name}});
+  container.add("values", curve_values(motion, name));
   return container;
 }
 
