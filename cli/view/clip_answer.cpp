@@ -2,6 +2,7 @@
 #include "view/clip_answer.h"
 
 #include "clip_figures.h"
+#include "view/curve_answer.h"
 #include "view/workspace.h"
 
 #include <array>
