@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "view/clip_answer.h"
 
+#include "clip_figures.h"
 #include "input_files.h"
+#include "view/curve_answer.h"
 #include "view/workspace.h"
 
 #include <algorithm>
@@ -107,10 +109,24 @@ Json as_json(const std::vector<motion::Footplant>& plants) {
   return all;
 }
 
+/// Relative to the pelvis positions lie within a few metres however far the body travels: 16 bits hold them.
+void add_packed(Container& container, std::vector<float> positions, const Motion& motion) {
+  const auto stride = positions.size() / static_cast<std::size_t>(motion.num_frames());
+  const auto pelvis = 3 * static_cast<std::size_t>(motion.skeleton().pelvis());
+  std::vector<float> path, around = positions;
+  for (std::size_t begin = 0; begin < positions.size(); begin += stride) {
+    for (std::size_t axis = 0; axis < 3; ++axis) path.push_back(positions[begin + pelvis + axis]);
+    for (std::size_t i = 0; i < stride; ++i) around[begin + i] -= positions[begin + pelvis + i % 3];
+  }
+  if (Container::rounding_error(around) > kLargestPackingError) return container.add("positions", positions);
+  container.add("pelvisPath", path);
+  container.add_rounded("aroundPelvis", around);
+}
+
 }  // namespace
 
 Container clip_answer(const std::string& id, const std::string& name, const Motion& motion, Diagnostics notes,
-                      const FeetOptions& feet) {
+                      Packing packing, const FeetOptions& feet) {
   const auto legs = legs_of(name, motion, feet, notes);
   std::vector<motion::Footplant> found;
   if (legs) found = postprocess::detect_footplants(motion, *legs);
@@ -121,12 +137,17 @@ Container clip_answer(const std::string& id, const std::string& name, const Moti
               {"points", points_of(motion)},
               {"pelvis", motion.skeleton().pelvis()},
               {"plants", as_json(found)},
-              {"figures", Json::array()},
-              {"curves", Json::array()},
+              {"figures", as_json(clip_figures(motion, found))},
+              {"curves", curves_of(motion)},
               {"notes", as_json(notes)}};
   if (legs) header["legs"] = as_json(*legs, motion.skeleton());
   Container container(std::move(header));
-  container.add("positions", positions_of(motion));
+  if (packing == Packing::kSmall && motion.num_frames() > 0) {
+    add_packed(container, positions_of(motion), motion);
+  } else {
+    container.add("positions", positions_of(motion));
+  }
+  container.add("slide", slide_of(motion, found));
   return container;
 }
 

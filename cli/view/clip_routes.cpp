@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view/alignment_answer.h"
 #include "view/clip_answer.h"
+#include "view/curve_answer.h"
 #include "view/routes.h"
 
 #include <array>
@@ -40,12 +41,12 @@ std::shared_ptr<const std::string> bytes_of(const Container& container) {
 
 void add_clip_routes(PageServer& server, Workspace& workspace) {
   const auto answers = std::make_shared<Kept<std::string>>(), alignments = std::make_shared<Kept<std::string>>();
-  server.on_get("session", [&](const Question&) { return json_reply(session_of(workspace)); });
+  server.on_get("session", [&workspace](const Question&) { return json_reply(session_of(workspace)); });
   server.on_get("clips/([^/]+)", [&workspace, answers](const Question& question) {
     const auto clip = workspace.clip(question.part(1));
     return Reply{.type = kBytes, .kept = answers->get(clip->file.id, [&] {
                    return bytes_of(clip_answer(clip->file.id, clip->file.name, clip->bvh.motion, clip->notes,
-                                               workspace.options().feet));
+                                               Packing::kExact, workspace.options().feet));
                  })};
   });
   server.on_get("alignment", [&workspace, alignments](const Question& question) {
@@ -54,6 +55,10 @@ void add_clip_routes(PageServer& server, Workspace& workspace) {
     return Reply{.type = kBytes, .kept = alignments->get(reference->file.id + " " + clip->file.id, [&] {
                    return bytes_of(alignment_answer(*reference, *clip, workspace.options().feet));
                  })};
+  });
+  server.on_get("clips/([^/]+)/curve", [&workspace](const Question& question) {
+    const auto clip = workspace.clip(question.part(1));
+    return Reply{curve_answer(clip->bvh.motion, question.parameter("name")).bytes(), kBytes};
   });
 }
 
