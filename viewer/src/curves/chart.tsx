@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A chart of one curve: what it is, each clip's value at the moment, and the lines. Hovering shows that moment on the
 // stage.
-import { useComputed, useSignalEffect } from '@preact/signals';
+import { effect, useComputed, useSignalEffect } from '@preact/signals';
 import type { RefObject } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type uPlot from 'uplot';
@@ -24,6 +24,7 @@ interface Props {
   curve: CurveInfo;
   width: number;
   height: number;
+  /** Set for the chart that has the time axis. */
   timeTitle: string | undefined;
   /** Changes with light and dark, since colours are drawn into the picture. */
   scheme: string;
@@ -38,18 +39,23 @@ function written(value: number): string {
 function Legend({ lines, unit }: { lines: readonly Line[]; unit: string }) {
   const list = useRef<HTMLUListElement>(null);
   // The values follow the clock without making the list again.
-  useSignalEffect(() => {
-    const now = time.value;
-    list.current?.querySelectorAll('output').forEach((place, i) => {
-      const line = lines[i];
-      const value = line?.at(now);
-      place.textContent = line?.lack ?? (value == null ? '–' : `${written(value)} ${unit}`);
+  useEffect(() => {
+    const places = list.current!.querySelectorAll('output');
+    const say = (line: Line, at: number) => {
+      const value = line.at(at);
+      return line.lack ?? (value === null ? '–' : `${written(value)} ${unit}`);
+    };
+    return effect(() => {
+      const now = time.value;
+      places.forEach((place, i) => {
+        place.textContent = say(lines[i]!, now);
+      });
     });
-  });
+  }, [lines, unit]);
   return (
     <ul class="legend" ref={list}>
-      {lines.map(({ actor, problem }) => (
-        <li key={actor.clip.id} title={problem?.message ?? actor.title}>
+      {lines.map(({ actor }) => (
+        <li key={actor.clip.id} title={actor.title}>
           <Swatch number={actor.colour} />
           <span class="clip">{actor.title}</span>
           <output aria-live="off" />
@@ -100,10 +106,11 @@ function Plot({ lines, ...props }: Omit<Props, 'curve'> & { lines: readonly Line
   const over = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
   const placeOverlay = useOverlay(plot, over);
-  const { width, height, timeTitle, scheme } = props;
+  const { width, height, scheme } = props;
+  const hasTimeAxis = props.timeTitle !== undefined;
   useEffect(() => {
     const view = { shown, onZoom: zoomTo, onReset: zoomOut };
-    const chart = makePlot({ place: place.current!, width, height, times: times.peek(), lines, timeTitle, ...view });
+    const chart = makePlot({ place: place.current!, width, height, times: times.peek(), lines, hasTimeAxis, ...view });
     plot.current = chart;
     chart.over.append(over.current!);
     listen(chart);
@@ -114,7 +121,7 @@ function Plot({ lines, ...props }: Omit<Props, 'curve'> & { lines: readonly Line
       plot.current = null;
       chart.destroy();
     };
-  }, [lines, width, height, timeTitle, scheme]);
+  }, [lines, width, height, hasTimeAxis, scheme]);
   useSignalEffect(() => {
     const [min, max] = shown();
     plot.current?.setScale('x', { min, max });
@@ -123,7 +130,7 @@ function Plot({ lines, ...props }: Omit<Props, 'curve'> & { lines: readonly Line
   return (
     <div class="plot" ref={place}>
       <div class="over" ref={over}>
-        <i class="now" />
+        <i class="moment" />
         <i class="looped" />
       </div>
     </div>
@@ -140,6 +147,7 @@ export function Chart(props: Props) {
       <figcaption>
         <strong>{title}</strong>
         <Legend lines={lines} unit={curve.unit} />
+        {props.timeTitle && <span class="time-title">across: {props.timeTitle}</span>}
         <button type="button" class="plain" aria-label={`Take away ${title}`} onClick={() => choose(curve, false)}>
           <Icon name="close" />
         </button>

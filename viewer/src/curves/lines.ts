@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What one chart draws: a line per clip on the stage, and what the clip's value is at any moment.
-import type { CurveInfo, Problem } from '../data/types';
+import type { CurveInfo } from '../data/types';
 import { frameAt } from '../state/playback';
 import { type Actor, actors } from '../state/stage';
 import { counterpart } from './catalogue';
 import { curveOf } from './chosen';
-import { endOf, momentOf, onClock, slopeAt, times, type Values, valueAt } from './on_clock';
+import { endOf, followsAlignment, momentOf, onClock, slopeAt, times, type Values, valueAt } from './on_clock';
 
 export interface Line {
   actor: Actor;
@@ -14,11 +14,10 @@ export interface Line {
   at: (time: number) => number | null;
   /** Why there is nothing to draw. */
   lack?: string;
-  problem?: Problem;
 }
 
-function without(actor: Actor, lack: string, problem?: Problem): Line {
-  return { actor, values: times.value.map(() => null), at: () => null, lack, ...(problem && { problem }) };
+function without(actor: Actor, lack: string): Line {
+  return { actor, values: times.value.map(() => null), at: () => null, lack };
 }
 
 function ownLine(curve: CurveInfo, actor: Actor): Line {
@@ -26,12 +25,13 @@ function ownLine(curve: CurveInfo, actor: Actor): Line {
   if (!same) return without(actor, 'has no such curve');
   const asked = curveOf(actor.clip, same.name);
   if (asked.state === 'waiting') return without(actor, '…');
-  if (asked.state === 'refused') return without(actor, 'refused', asked.problem);
+  if (asked.state === 'refused') return without(actor, asked.problem.message);
   const at = (time: number) => (time > endOf(actor) + 1e-6 ? null : valueAt(asked.values, frameAt(actor, time)));
   return { actor, values: onClock(asked.values, actor), at };
 }
 
 function alignmentLine(curve: CurveInfo, actor: Actor): Line {
+  if (!followsAlignment(actor)) return without(actor, 'is not aligned');
   const read = curve.name === 'alignment/moment' ? momentOf : slopeAt;
   const at = (time: number) => read(actor, time);
   return { actor, values: times.value.map(at), at };

@@ -2,7 +2,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { clipOf } from '../state/clip_of.test_support';
 import { type Actor, actors, alignments, step } from '../state/stage';
-import { clockOf, momentOf, onClock, plantsOnClock, slopeAt, times, valueAt } from './on_clock';
+import { clockOf, followsAlignment, momentOf, onClock, plantsOnClock, slopeAt, times, valueAt } from './on_clock';
 
 const none = Number.NaN;
 const ramp = (count: number) => Float32Array.from({ length: count }, (_, i) => i);
@@ -59,6 +59,13 @@ describe('curves on the clock', () => {
     expect(onClock(ramp(8), other!)).toEqual([0, 1, 5, 7]);
     expect(momentOf(other!, 1.5)).toBe(3);
     expect(times.value.map((at) => slopeAt(other!, at))).toEqual([1, 2.5, 3, 2]);
+  });
+
+  it('end with their clips where there is no alignment', () => {
+    const [, other] = show(['a', 4, 1], ['b', 2, 1]);
+    step.value = 'alignment';
+    expect(onClock(ramp(2), other!)).toEqual([0, 1, null, null]);
+    expect(followsAlignment(other!)).toBe(false);
   });
 
   it('keep to the frames that are played', () => {

@@ -3,7 +3,7 @@
 // the stage lies above each other.
 import { computed } from '@preact/signals';
 import { duration, durationOf, frameAt, frameRange, frameRate } from '../state/playback';
-import { type Actor, actors, step } from '../state/stage';
+import { type Actor, actors, alignments, step } from '../state/stage';
 
 /** A value per moment; null where there is none. */
 export type Values = (number | null)[];
@@ -16,10 +16,16 @@ export const times = computed<readonly number[]>(() => {
   return Array.from({ length: last + 1 }, (_, i) => Math.min(i / rate, duration.value));
 });
 
+/** Whether what shows of `actor` is what its alignment says, and not just its time. */
+export function followsAlignment(actor: Actor): boolean {
+  const isAligned = actor === actors.value[0] || (alignments.value.get(actor.clip.id)?.length ?? 0) > 0;
+  return step.value === 'alignment' && isAligned;
+}
+
 /** When `actor` has come to its end [s]. */
 export function endOf(actor: Actor): number {
-  if (step.value === 'alignment') return duration.value;
-  if (step.value === 'time') return durationOf(actor);
+  if (followsAlignment(actor)) return duration.value;
+  if (step.value !== 'frame') return durationOf(actor);
   const [begin, end] = frameRange(actor);
   return Math.max(0, end - begin - 1) / frameRate.value;
 }

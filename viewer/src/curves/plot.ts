@@ -9,7 +9,7 @@ import type { Line } from './lines';
 /** Room beside the lines, the same in all charts so that moments lie above each other [px]; as in curves.css. */
 export const AXIS_WIDTH = 60;
 export const RIGHT_EDGE = 14;
-const TIME_AXIS_HEIGHT = 34;
+const TIME_AXIS_HEIGHT = 20;
 const FONT = '12px system-ui, sans-serif';
 
 /** A colour of style.css as a canvas takes it. */
@@ -28,20 +28,19 @@ export interface PlotSettings {
   height: number;
   times: readonly number[];
   lines: readonly Line[];
-  /** Written below the time axis; no time axis if absent. */
-  timeTitle: string | undefined;
+  hasTimeAxis: boolean;
   /** From and to on the clock [s]; asked whenever it is drawn. */
   shown: () => readonly [number, number];
   onZoom: (stretch: readonly [number, number]) => void;
   onReset: () => void;
 }
 
-function axes({ place, timeTitle }: PlotSettings): uPlot.Axis[] {
+function axes({ place, hasTimeAxis }: PlotSettings): uPlot.Axis[] {
   const text = colour('var(--soft)', place);
   const rule = { stroke: colour('var(--rule)', place), width: 1 };
   const common = { stroke: text, grid: rule, ticks: { ...rule, size: 4 }, font: FONT };
-  const seconds: uPlot.Axis = timeTitle
-    ? { ...common, size: TIME_AXIS_HEIGHT, label: timeTitle, labelSize: 16, labelGap: 0, labelFont: FONT, gap: 2 }
+  const seconds: uPlot.Axis = hasTimeAxis
+    ? { ...common, size: TIME_AXIS_HEIGHT, gap: 2 }
     : { ...common, size: 0, values: (_, splits) => splits.map(() => '') };
   return [seconds, { ...common, size: AXIS_WIDTH, space: 24 }];
 }
@@ -63,7 +62,7 @@ function options(settings: PlotSettings): uPlot.Options {
   return {
     width,
     height,
-    padding: [6, RIGHT_EDGE, settings.timeTitle ? 0 : 6, 0],
+    padding: [6, RIGHT_EDGE, settings.hasTimeAxis ? 0 : 6, 0],
     legend: { show: false },
     cursor: {
       x: false,
