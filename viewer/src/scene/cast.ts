@@ -13,6 +13,8 @@ const MOMENTS = 40;
 const FARTHEST = 7;
 /** Over the highest joint there is a head [m]. */
 const HEADROOM = 0.25;
+/** Under the feet there is the title [m]. */
+const FOOTROOM = 0.25;
 
 function isSame(view: ActorView, actor: Actor): boolean {
   const { clip, colour, title, frames } = view.actor;
@@ -149,7 +151,7 @@ export class Cast {
         points.push(x, y, z);
       }
       const [x, , z] = points.slice(-3);
-      if (top > 0) points.push(x!, top, z!, x!, 0, z!);
+      if (top > 0) points.push(x!, top, z!, x!, -FOOTROOM, z!);
     });
   }
 

@@ -14,7 +14,7 @@ const JOINT = 0.62;
 /** How wide a head is: its radius, of its length. */
 const HEAD = 0.36;
 /** How much is seen of a body that another one is laid over. */
-const GHOST = 0.5;
+const GHOST = 0.62;
 
 interface Limbs {
   side: Side;
