@@ -8,6 +8,7 @@ import { comparedActors } from '../state/compare';
 import { frameAt, time } from '../state/playback';
 import type { Shortcut } from '../state/shortcuts';
 import { type Actor, actors, type Step, step } from '../state/stage';
+import { FileName } from '../ui/file_name';
 import { ProblemNote } from '../ui/problem_note';
 import { Swatch } from '../ui/swatch';
 import { useShortcuts } from '../ui/use_shortcuts';
@@ -95,7 +96,9 @@ function Shown({ actor, isReference }: { actor: Actor; isReference: boolean }) {
     <li>
       <p class="shown">
         <Swatch number={actor.colour} />
-        <span class="title">{actor.title}</span>
+        <span class="title">
+          <FileName name={actor.title} />
+        </span>
         <FrameShown key={actor.clip.id} actor={actor} />
       </p>
       {isReference ? (
