@@ -36,9 +36,10 @@ const KEYS: readonly Shortcut[] = [
 
 function StepChoice() {
   return (
-    <fieldset class="part">
-      <legend>In step by</legend>
-      <div class="choice">
+    <section class="part">
+      <h2 id="step-title">In step by</h2>
+      {/* biome-ignore lint/a11y/useSemanticElements: a fieldset's legend does not lie in a grid */}
+      <div class="choice" role="group" aria-labelledby="step-title">
         {STEPS.map((entry) => (
           <button
             type="button"
@@ -54,7 +55,7 @@ function StepChoice() {
         ))}
       </div>
       <p class="hint">{STEPS.find((entry) => entry.step === step.value)!.meaning}</p>
-    </fieldset>
+    </section>
   );
 }
 
