@@ -64,6 +64,14 @@ std::shared_ptr<const ViewClip> Workspace::clip(const std::string& id) {
   return kept;
 }
 
+std::shared_ptr<const StyleModel> Workspace::model(const std::string& id) {
+  const ViewFile& named = file(id, ViewKind::kModel);
+  const std::scoped_lock lock(mutex_);
+  std::shared_ptr<const StyleModel>& kept = models_[id];
+  if (!kept) kept = read_style_model(named.path);
+  return kept;
+}
+
 nlohmann::ordered_json as_json(const Diagnostics& diagnostics) {
   auto all = nlohmann::ordered_json::array();
   for (const Diagnostic& entry : diagnostics.entries()) {

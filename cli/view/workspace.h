@@ -13,6 +13,7 @@
 
 #include <strut/core/diagnostics.h>
 #include <strut/io/bvh.h>
+#include <strut/model/style_model.h>
 #include <strut/motion/motion.h>
 
 namespace strut::cli {
@@ -43,11 +44,14 @@ class Workspace {
   [[nodiscard]] const ViewFile& file(const std::string& id, ViewKind kind) const;
   /// The clip of the file `id`. Throws Refusal as file() does, and what reading throws.
   std::shared_ptr<const ViewClip> clip(const std::string& id);
+  /// The model of the file `id`, likewise.
+  std::shared_ptr<const StyleModel> model(const std::string& id);
 
  private:
   std::vector<ViewFile> files_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const ViewClip>> clips_;
+  std::map<std::string, std::shared_ptr<const StyleModel>> models_;
 };
 
 /// What a person is told of `diagnostics`: [{message, hint}].
