@@ -31,7 +31,7 @@ StyleModelParts slow_parts(const Motion& clip) {
   StyleModelParts parts = exaggerating_parts(clip, 0.3, 1.5);
   Eigen::VectorXd mean = parts.output_scaling.mean();
   mean.tail(1).setConstant(std::log(1.25));
-  parts.output_scaling = {mean, parts.output_scaling.deviation()};
+  parts.output_scaling = {mean, parts.output_scaling.scale()};
   return parts;
 }
 
