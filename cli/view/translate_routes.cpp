@@ -7,19 +7,15 @@
 #include "view/routes.h"
 #include "view/translate_request.h"
 
-#include <atomic>
-#include <map>
 #include <memory>
-#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include <fmt/core.h>
-
-#include <strut/model/style_model_io.h>
+#include <strut/io/bvh.h>
 
 namespace strut::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 TranslatedClip translate(const TranslateRequest& request, Workspace& workspace, Diagnostics& diagnostics) {
   std::vector<std::string> paths;
@@ -40,12 +36,12 @@ std::vector<float> as_floats(const Eigen::VectorXd& numbers) {
 
 /// The result under an id of its own, as it is another clip each time.
 Reply translated(const Question& question, Workspace& workspace) {
-  static std::atomic<int> count = 0;
   const TranslateRequest request = parse_translate_request(question.body());
   Diagnostics notes;
-  const TranslatedClip result = translate(request, workspace, notes);
-  Container answer = clip_answer(fmt::format("translated-{}", ++count), output_name(request, workspace),
-                                 result.translation.motion, notes);
+  TranslatedClip result = translate(request, workspace, notes);
+  const std::string id = workspace.keep_made({result.translation.motion, std::move(result.layout)}, notes);
+  Container answer = clip_answer(id, output_name(request, workspace), workspace.clip(id)->bvh.motion, notes,
+                                 Packing::kExact, workspace.options().feet);
   if (request.options.retime) answer.add("moments", as_floats(result.translation.moments));
   return {answer.bytes(), kBytes};
 }
@@ -63,16 +59,14 @@ Reply as_file(const Question& question, Workspace& workspace) {
 void add_translate_routes(PageServer& server, Workspace& workspace) {
   server.on_get("models/([^/]+)", [&](const Question& question) {
     const ViewFile& file = workspace.file(question.part(1), ViewKind::kModel);
-    return Reply{
-        model_as_json(file.path, *workspace.model(file.id)).dump(-1, ' ', false, Json::error_handler_t::replace)};
+    return json_reply(model_as_json(file.path, *workspace.model(file.id)));
   });
-  server.on_get("translate/controls", [](const Question&) { return Reply{controls_as_json().dump()}; });
+  server.on_get("translate/controls", [](const Question&) { return json_reply(controls_as_json()); });
   server.on_post("translate", [&](const Question& question) { return translated(question, workspace); });
   server.on_post("translate/bvh", [&](const Question& question) { return as_file(question, workspace); });
   server.on_post("translate/command", [&](const Question& question) {
     const TranslateRequest request = parse_translate_request(question.body());
-    const Json answer{{"command", command_line(request, workspace)}, {"saveAs", output_name(request, workspace)}};
-    return Reply{answer.dump(-1, ' ', false, Json::error_handler_t::replace)};
+    return json_reply({{"command", command_line(request, workspace)}, {"saveAs", output_name(request, workspace)}});
   });
 }
 
