@@ -165,7 +165,8 @@ const ViewFile& Workspace::file(const std::string& id, ViewKind kind) const {
 
 std::string Workspace::keep_made(BvhClip bvh, Diagnostics notes) {
   const std::scoped_lock lock(made_mutex_);
-  ViewFile file{.id = fmt::format("made-{}", num_made_++)};
+  ViewFile file;
+  file.id = fmt::format("made-{}", num_made_++);
   made_.push_back(std::make_shared<const ViewClip>(ViewClip{std::move(file), std::move(bvh), std::move(notes)}));
   if (made_.size() > kMostMade) made_.pop_front();
   return made_.back()->file.id;
