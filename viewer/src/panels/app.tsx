@@ -5,6 +5,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { Source } from '../data/source';
 import { startScene } from '../scene/scene';
 import { clips, failure, type Mode, mode, open, session } from '../state/session';
+import { listenToKeys } from '../state/shortcuts';
 import { actors } from '../state/stage';
 import { ProblemNote } from '../ui/problem_note';
 import { FileList } from './file_list';
@@ -12,6 +13,7 @@ import { LabelPanel } from './label_panel';
 import { PairsPanel } from './pairs_panel';
 import { Timeline } from './timeline';
 import { TranslatePanel } from './translate_panel';
+import './app.css';
 
 const MODES: readonly { mode: Mode; title: string; needs: string | null }[] = [
   { mode: 'compare', title: 'Compare', needs: null },
@@ -70,6 +72,7 @@ function ModeTabs() {
 
 export function App({ source }: { source: Source }) {
   useEffect(() => void open(source), [source]);
+  useEffect(() => listenToKeys(document), []);
   return (
     <div class="page">
       <header>
