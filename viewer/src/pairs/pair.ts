@@ -58,8 +58,8 @@ export function replaced(pairs: readonly Pair[], pair: Pair): Pair[] {
   return pairs.map((other) => (other.id === pair.id ? pair : other));
 }
 
-/** A new pair, after all others. */
-export function addedTo(pairs: readonly Pair[], input: Side, output: Side): Pair {
+/** A pair that a person adds to `pairs`. */
+export function newPair(pairs: readonly Pair[], input: Side, output: Side): Pair {
   const id = Math.max(-1, ...pairs.map((pair) => pair.id)) + 1;
   return { id, input, output, comment: 'added by hand', verdict: 'accepted', proposed: null };
 }

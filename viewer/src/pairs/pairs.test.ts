@@ -4,7 +4,7 @@ import { factsOf } from './facts';
 import { begun, edited, redone, settled, undone } from './history';
 import { moved, nextOnset, onsetsOf, snapped } from './marks';
 import { EVERYTHING, neighbour, ordered } from './order';
-import { addedTo, isCut, type Pair, pairsOf, progressOf, replaced, savedComment, toldList, withFrames } from './pair';
+import { isCut, newPair, type Pair, pairsOf, progressOf, replaced, savedComment, toldList, withFrames } from './pair';
 
 const CYCLE = 'left cycle: 1.23 -> 0.89 m/s, turning +1 -> -2 degrees, 1.10 -> 0.90 s; distance 0.05';
 const WHOLE = 'whole: 3.00 -> 2.50 s, joints move by 12 -> 9 cm; distance 0.31';
@@ -138,7 +138,7 @@ describe('what is saved', () => {
     expect(savedComment(withFrames(pairs[0]!, 'output', [1, 5]))).toContain('the whole clip with the whole clip');
   });
   it('holds pairs that were added', () => {
-    const added = addedTo(pairs, { clip: 'c0', frames: [0, 5] }, { clip: 'c2', frames: null });
+    const added = newPair(pairs, { clip: 'c0', frames: [0, 5] }, { clip: 'c2', frames: null });
     expect(added.id).toBe(3);
     expect(savedComment(withFrames(added, 'input', [1, 5]))).toBe('added by hand');
   });
