@@ -5,6 +5,7 @@
 #include "fingerprint.h"
 #include "view/page_server.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -78,7 +79,7 @@ double seconds_of(const ViewStretch& stretch) {
 }
 
 AlignClip cut(const ViewStretch& stretch) {
-  return {stretch.clip->file.name, stretch.clip->bvh.motion.slice(stretch.frames.begin, stretch.frames.end)};
+  return align_clip(stretch.clip->file.name, stretch.clip->bvh.motion.slice(stretch.frames.begin, stretch.frames.end));
 }
 
 void warn_if_short(const ViewStretch& stretch, Diagnostics& warnings) {
@@ -111,8 +112,9 @@ Json pair_list_answer(const Workspace& workspace, const ViewFile& list) {
   return {{"version", fingerprint(text)}, {"heading", read.heading}, {"ending", read.ending}, {"pairs", pairs}};
 }
 
-Json pair_alignment_answer(const ViewStretch& input, const ViewStretch& output) {
+Json pair_alignment_answer(const ViewStretch& input, const ViewStretch& output, const FeetOptions& feet) {
   AlignOptions options;
+  options.feet = feet;
   options.settings.slope_limit = slope_limit_of(input, output);
   Diagnostics warnings, notes;
   warn_if_short(input, warnings);
@@ -123,7 +125,10 @@ Json pair_alignment_answer(const ViewStretch& input, const ViewStretch& output) 
   // The output may have been resampled to the input's rate.
   const double scale = rate_of(output) / rate_of(input);
   Json moments = Json::array();
-  for (const double time : alignment.smoothed.output_time) moments.push_back(output.frames.begin + scale * time);
+  const double last = output.frames.num_frames() - 1;
+  for (const double time : alignment.smoothed.output_time) {
+    moments.push_back(output.frames.begin + std::clamp(scale * time, 0.0, last));
+  }
   return {{"moments", moments}, {"warnings", as_json(warnings)}};
 }
 

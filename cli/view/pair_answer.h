@@ -32,6 +32,7 @@ struct ViewStretch {
 /// How learning would let the output run along the input: {moments, warnings}; `moments` are frames of the output clip,
 /// one for each frame of the input's stretch. Aligned as strut align does, at the slope limit that learning allows for
 /// these durations. Throws Refusal where there is no alignment, saying why.
-nlohmann::ordered_json pair_alignment_answer(const ViewStretch& input, const ViewStretch& output);
+nlohmann::ordered_json pair_alignment_answer(const ViewStretch& input, const ViewStretch& output,
+                                             const FeetOptions& feet);
 
 }  // namespace strut::cli

@@ -43,7 +43,8 @@ Reply text_of(const Question& question, Workspace& workspace) {
 
 Reply alignment_of(const Question& question, Workspace& workspace) {
   const Json body = Json::parse(question.body());
-  return {pair_alignment_answer(stretch_of(body.at("input"), workspace), stretch_of(body.at("output"), workspace))
+  return {pair_alignment_answer(stretch_of(body.at("input"), workspace), stretch_of(body.at("output"), workspace),
+                                workspace.options().feet)
               .dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 

@@ -8,6 +8,7 @@ import { loadClip, loadedClips, problemOf, session } from '../state/session';
 import * as stage from '../state/stage';
 import { alongWhole, evenly, type PairStep } from './in_step';
 import { FEWEST_FRAMES, type Mark, moved, onsetsOf, placeOf, snapped } from './marks';
+import { shortened } from './names';
 import { alignmentOf, OpenList } from './open_list';
 import { type Pair, type Range, SIDES, type Side, type SideName, withFrames } from './pair';
 
@@ -26,9 +27,15 @@ export const pairFiles = computed<readonly FileEntry[]>(() =>
   (session.value?.files ?? []).filter((file) => file.kind === 'pairs'),
 );
 
+const shortNames = computed<ReadonlyMap<string, string>>(() => {
+  const clips = (session.value?.files ?? []).filter((file) => file.kind === 'clip');
+  const names = shortened(clips.map((file) => file.name));
+  return new Map(clips.map((file, i) => [file.id, names[i]!]));
+});
+
+/** A clip's name as short as tells it apart. */
 export function nameOf(clip: string): string {
-  const name = session.value?.files.find((file) => file.id === clip)?.name ?? clip;
-  return name.replace(/\.bvh$/i, '');
+  return shortNames.value.get(clip) ?? clip;
 }
 
 /** Shows a list; it is read when it is shown for the first time. */

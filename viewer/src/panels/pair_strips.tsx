@@ -4,9 +4,20 @@
 import { useSignal, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Clip } from '../data/clip';
+import type { PairStep } from '../pairs/in_step';
 import { type Mark, nextOnset, onsetsOf } from '../pairs/marks';
 import { type Range, SIDES, type SideName } from '../pairs/pair';
-import { current, frameOfMark, held, moveMark, nameOf, rangeOf, showMark, shownClips } from '../pairs/showing';
+import {
+  current,
+  frameOfMark,
+  held,
+  moveMark,
+  nameOf,
+  pairStep,
+  rangeOf,
+  showMark,
+  shownClips,
+} from '../pairs/showing';
 import { frameAt, time } from '../state/playback';
 import { actors } from '../state/stage';
 import { ticksOf, written } from '../state/ticks';
@@ -193,12 +204,58 @@ function Strip({ side, clip, range, isNear }: { side: SideName; clip: Clip; rang
   );
 }
 
+const STEPS: readonly { step: PairStep; title: string; meaning: string }[] = [
+  { step: 'alignment', title: 'Alignment', meaning: 'The output shows the phase of the input' },
+  { step: 'progress', title: 'Progress', meaning: 'Both begin and end together' },
+  { step: 'time', title: 'Time', meaning: 'Both run at their own speed' },
+];
+
+function StepChoice() {
+  return (
+    <fieldset class="row">
+      <legend class="visually-hidden">In step by</legend>
+      <span aria-hidden="true">In step by</span>
+      <div class="choice">
+        {STEPS.map(({ step, title, meaning }) => (
+          <button
+            key={step}
+            type="button"
+            title={meaning}
+            aria-pressed={pairStep.value === step}
+            onClick={() => {
+              pairStep.value = step;
+            }}
+          >
+            {title}
+          </button>
+        ))}
+      </div>
+    </fieldset>
+  );
+}
+
 export function PairStrips() {
   const isNear = useSignal(false);
   const shown = shownClips.value;
   if (!shown) return <section class="pair-strips" aria-label="Cut marks" />;
   return (
     <section class={`pair-strips ${shown.pair.verdict}`} aria-label="Cut marks">
+      <div class="row">
+        <StepChoice />
+        <button
+          type="button"
+          aria-pressed={isNear.value}
+          title="Strips of the stretch and its surroundings, or of the whole clip"
+          onClick={() => {
+            isNear.value = !isNear.value;
+          }}
+        >
+          Near
+        </button>
+        <span class="hint">
+          Drag marks, or <kbd>M</kbd> and <kbd>←</kbd> <kbd>→</kbd>; <kbd>Shift</kbd> drags to footplants
+        </span>
+      </div>
       {SIDES.map((side) => (
         <Strip
           key={side}
@@ -208,17 +265,6 @@ export function PairStrips() {
           isNear={isNear.value}
         />
       ))}
-      <button
-        type="button"
-        class="near"
-        aria-pressed={isNear.value}
-        title="The stretch and its surroundings, or the whole clip"
-        onClick={() => {
-          isNear.value = !isNear.value;
-        }}
-      >
-        Near
-      </button>
     </section>
   );
 }

@@ -1,41 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The selected pair: what it was matched by, what keeps its sides in step, and the verdict.
+// The selected pair: what it was matched by, the verdict, and what is to be doubted.
 import { factsOf } from '../pairs/facts';
-import type { PairStep } from '../pairs/in_step';
 import type { OpenList } from '../pairs/open_list';
 import { isCut, type Pair, SIDES } from '../pairs/pair';
-import { nameOf, pairStep, rangeOf, remarks, shownClips } from '../pairs/showing';
+import { nameOf, rangeOf, remarks, shownClips } from '../pairs/showing';
 import { ProblemNote } from '../ui/problem_note';
 import { Swatch } from '../ui/swatch';
-
-const STEPS: readonly { step: PairStep; title: string; meaning: string }[] = [
-  { step: 'alignment', title: 'Alignment', meaning: 'The output shows the phase of the input' },
-  { step: 'progress', title: 'Progress', meaning: 'Both begin and end together' },
-  { step: 'time', title: 'Time', meaning: 'Both run at their own speed' },
-];
-
-function StepChoice() {
-  return (
-    <fieldset>
-      <legend>In step by</legend>
-      <div class="choice">
-        {STEPS.map(({ step, title, meaning }) => (
-          <button
-            key={step}
-            type="button"
-            title={meaning}
-            aria-pressed={pairStep.value === step}
-            onClick={() => {
-              pairStep.value = step;
-            }}
-          >
-            {title}
-          </button>
-        ))}
-      </div>
-    </fieldset>
-  );
-}
 
 function duration(pair: Pair, side: (typeof SIDES)[number]): string {
   const range = rangeOf(pair[side]);
@@ -44,7 +14,7 @@ function duration(pair: Pair, side: (typeof SIDES)[number]): string {
 }
 
 function Facts({ pair }: { pair: Pair }) {
-  const { facts, distance } = factsOf(pair.comment);
+  const { facts, distance, kind } = factsOf(pair.comment);
   const frames = (side: (typeof SIDES)[number]) => {
     const range = rangeOf(pair[side]);
     return range ? `${range[0]}–${range[1]}` : '';
@@ -53,10 +23,10 @@ function Facts({ pair }: { pair: Pair }) {
     <table>
       <thead>
         <tr>
-          <th>{pair.comment !== '' && distance !== null ? `distance ${distance.toFixed(2)}` : ''}</th>
+          <th>{kind === 'other' ? '' : kind}</th>
           {SIDES.map((side, number) => (
             <th key={side} class="number" title={nameOf(pair[side].clip)}>
-              <Swatch number={number} /> {side}
+              {side} <Swatch number={number} />
             </th>
           ))}
         </tr>
@@ -90,6 +60,14 @@ function Facts({ pair }: { pair: Pair }) {
               <td class="number">{output}</td>
             </tr>
           ))}
+        {distance !== null && (
+          <tr class={isCut(pair) ? 'of-before' : ''}>
+            <th>{isCut(pair) ? 'proposed: ' : ''}distance</th>
+            <td class="number" colSpan={2}>
+              {distance.toFixed(2)}
+            </td>
+          </tr>
+        )}
       </tbody>
     </table>
   );
@@ -121,7 +99,6 @@ export function PairsDetails({ list }: { list: OpenList }) {
       </div>
       <Facts pair={pair} />
       {factsOf(pair.comment).kind === 'other' && pair.comment && <p class="hint comment">{pair.comment}</p>}
-      <StepChoice />
       {remarks.value.map((problem) => (
         <ProblemNote key={problem.message} problem={problem} />
       ))}

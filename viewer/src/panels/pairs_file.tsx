@@ -41,8 +41,11 @@ function ProgressLine({ list }: { list: OpenList }) {
   return (
     <div>
       <progress value={done} max={total} aria-label="Looked at" />
-      <p class="hint number">
-        {done} of {total} looked at: {accepted} accepted, {rejected} rejected
+      <p class="hint number progress">
+        {done} of {total} looked at
+        <span title={`${accepted} accepted, ${rejected} rejected`}>
+          ✓ {accepted} &ensp; ✗ {rejected}
+        </span>
       </p>
     </div>
   );
@@ -114,12 +117,26 @@ export function PairsFile({ list }: { list: OpenList }) {
             >
               Save a copy
             </button>
-            <button type="button" title="Undo (U)" disabled={past.length === 0} onClick={() => list.undo()}>
-              Undo
-            </button>
-            <button type="button" title="Redo (Shift+U)" disabled={future.length === 0} onClick={() => list.redo()}>
-              Redo
-            </button>
+            <span class="choice">
+              <button
+                type="button"
+                aria-label="Undo"
+                title="Undo (U)"
+                disabled={past.length === 0}
+                onClick={() => list.undo()}
+              >
+                ↶
+              </button>
+              <button
+                type="button"
+                aria-label="Redo"
+                title="Redo (Shift+U)"
+                disabled={future.length === 0}
+                onClick={() => list.redo()}
+              >
+                ↷
+              </button>
+            </span>
           </div>
         </>
       )}

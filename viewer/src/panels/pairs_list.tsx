@@ -65,7 +65,7 @@ function Filters({ list }: { list: OpenList }) {
           checked={wish.onlyOpen}
           onChange={(event) => set({ onlyOpen: event.currentTarget.checked })}
         />
-        not yet looked at
+        to look at
       </label>
     </div>
   );
