@@ -54,7 +54,7 @@ function Facts({ pair }: { pair: Pair }) {
             <tr key={name} class={isCut(pair) ? 'of-before' : ''}>
               <th>
                 {isCut(pair) ? 'proposed: ' : ''}
-                {name} [{unit}]
+                {name} [{unit === 'degrees' ? '°' : unit}]
               </th>
               <td class="number">{input}</td>
               <td class="number">{output}</td>

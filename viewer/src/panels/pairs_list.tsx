@@ -100,7 +100,7 @@ function Row({ pair, list, place }: { pair: Pair; list: OpenList; place: number 
         {distance !== null && <span class="number distance">{distance.toFixed(2)}</span>}
       </span>
       <span class="clips" title={`${sideInWords(pair.input)} with ${sideInWords(pair.output)}`}>
-        {sideInWords(pair.input)} <i>with</i> {sideInWords(pair.output)}
+        {sideInWords(pair.input)} → {sideInWords(pair.output)}
       </span>
     </div>
   );
