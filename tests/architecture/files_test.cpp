@@ -22,15 +22,18 @@ constexpr int kMaxLines = 500;     // above, a file wants splitting
 constexpr int kLicenceWithin = 2;  // lines: a script's first is its interpreter
 
 bool is_source(const fs::path& path) {
-  static const std::set<std::string> kExtensions = {".h", ".cpp", ".c", ".cmake", ".fbs", ".sh", ".py"};
+  static const std::set<std::string> kExtensions = {".h",  ".cpp", ".c",  ".cmake", ".fbs",
+                                                    ".sh", ".py",  ".ts", ".tsx",   ".css"};
   return kExtensions.contains(path.extension().string()) || path.filename() == "CMakeLists.txt" ||
          path.filename() == "dev" || path == ".ci/run";
 }
 
 std::vector<fs::path> sources() {
   const fs::path root = STRUT_TEST_SOURCE_DIR;
-  std::vector<fs::path> files = {root / "CMakeLists.txt", root / "dev", root / ".ci/run"};
-  for (const char* top : {"include", "src", "cli", "bench", "tests", "examples", "cmake"}) {
+  std::vector<fs::path> files = {root / "CMakeLists.txt", root / "dev", root / ".ci/run",
+                                 root / "viewer/vite.config.ts"};
+  for (const char* top :
+       {"include", "src", "cli", "bench", "tests", "examples", "cmake", "viewer/src", "viewer/tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       if (entry.is_regular_file() && is_source(entry.path())) files.push_back(entry.path());
     }
