@@ -25,6 +25,7 @@ void run(const ViewArguments& arguments) {
   Workspace workspace(arguments.files);
   PageServer server(kViewerPage, arguments.port);
   add_clip_routes(server, workspace);
+  add_label_routes(server, workspace);
   fmt::print("{}\n", server.address());
   std::fflush(stdout);
   server.run();
