@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // strut measure: how much the feet of clips slide, how smooth they are, how they walk, and how far they are from other
 // clips: each figure with its worst value, where and when. As text for a person or as JSON for a program.
+#include "clip_figures.h"
 #include "commands.h"
 #include "input_files.h"
 #include "terminal.h"
@@ -15,9 +16,6 @@
 #include <strut/core/error.h>
 #include <strut/io/bvh.h>
 #include <strut/metrics/clip_distance.h>
-#include <strut/metrics/foot_slide.h>
-#include <strut/metrics/gait.h>
-#include <strut/metrics/smoothness.h>
 #include <strut/motion/legs.h>
 #include <strut/postprocess/footplant_detector.h>
 
@@ -25,8 +23,6 @@ namespace strut::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kCmPerMetre = 100.0;
 
 struct MeasureOptions {
   std::vector<std::string> clips;
@@ -43,11 +39,7 @@ struct Clip {
 
 /// What was measured of one clip.
 struct Figures {
-  metrics::FootSlide slide;
-  metrics::FootSlide planted;  ///< in the footplants that are detected
-  int num_footplants = 0;
-  metrics::Smoothness smoothness;
-  metrics::Gait gait;
+  ClipMeasures own;
   std::vector<metrics::ClipDistance> distances;  ///< to each of the other clips
 };
 
@@ -72,16 +64,8 @@ std::vector<metrics::ClipDistance> distances_to(const Clip& clip, const std::vec
 
 Figures measure(const Clip& clip, const std::vector<Clip>& others) {
   return naming_the_file(clip.path, [&] {
-    const double rate = metrics::measuring_rate(clip.motion.frame_rate());
-    const bool same_rate = rate == metrics::kComparisonRate;
-    const metrics::BodyTrack track = same_rate ? clip.track : metrics::body_track(clip.motion, rate);
     const auto plants = postprocess::detect_footplants(clip.motion, motion::find_legs(clip.motion).value());
-    return Figures{.slide = metrics::foot_slide(track),
-                   .planted = metrics::foot_slide(track, plants),
-                   .num_footplants = static_cast<int>(plants.size()),
-                   .smoothness = metrics::smoothness(clip.motion),
-                   .gait = metrics::gait(track),
-                   .distances = distances_to(clip, others)};
+    return Figures{measure_clip(clip.motion, plants), distances_to(clip, others)};
   });
 }
 
@@ -97,21 +81,15 @@ double mean_distance(const std::vector<Figures>& all) {
   return sum / static_cast<double>(all.size());
 }
 
-std::string joint_name(const Clip& clip, int joint) {
-  if (joint < 0) return {};
-  const std::string& name = clip.motion.skeleton().joint(joint).name;
-  return name.empty() ? fmt::format("joint {}", joint) : name;
-}
-
 std::string told(const Clip& clip, const metrics::Place& place) {
-  const std::string joint = joint_name(clip, place.joint);
+  const std::string joint = joint_name(clip.motion, place.joint);
   return fmt::format("{}{}frame {} ({:.2f} s)", joint, joint.empty() ? "" : " at ", place.frame, place.time);
 }
 
 // ---- for a person ---------------------------------------------------------------------------------------------------
 
 void print_figures(const Clip& clip, const Figures& figures) {
-  const auto& [slide, planted, num_footplants, smoothness, gait, distances] = figures;
+  const auto& [slide, planted, num_footplants, smoothness, gait] = figures.own;
   fmt::print("{}: {} frames at {:g} frames/s\n", clip.path, clip.motion.num_frames(), clip.motion.frame_rate());
   fmt::print("  foot slide  {:8.2f} cm/s     worst {:.2f} cm/s: {}\n", kCmPerMetre * slide.speed,
              kCmPerMetre * slide.worst_speed, told(clip, slide.worst));
@@ -136,7 +114,7 @@ void print_distance(const Clip& clip, const Clip& other, const metrics::ClipDist
   const Clip& source = worst.in_first ? clip : other;
   fmt::print("  distance    {:8.2f} cm       to {}\n", kCmPerMetre * found.distance, other.path);
   fmt::print("{:29}worst {:.2f} cm ({} {:.2f} cm): from frame {} ({:.2f} s) of {}\n", "", kCmPerMetre * worst.distance,
-             joint_name(source, worst.begin.joint), kCmPerMetre * worst.joint_distance, worst.begin.frame,
+             joint_name(source.motion, worst.begin.joint), kCmPerMetre * worst.joint_distance, worst.begin.frame,
              worst.begin.time, source.path);
 }
 
@@ -154,7 +132,7 @@ void print_report(const std::vector<Clip>& clips, const std::vector<Clip>& other
 
 Json json_place(const Clip& clip, const metrics::Place& place) {
   Json json{{"frame", place.frame}, {"time_s", place.time}};
-  if (place.joint >= 0) json["joint"] = joint_name(clip, place.joint);
+  if (place.joint >= 0) json["joint"] = joint_name(clip.motion, place.joint);
   return json;
 }
 
@@ -165,7 +143,7 @@ Json json_worst(const Clip& clip, const char* key, double value, const metrics::
 }
 
 Json json_figures(const Clip& clip, const Figures& figures) {
-  const auto& [slide, planted, num_footplants, smoothness, gait, distances] = figures;
+  const auto& [slide, planted, num_footplants, smoothness, gait] = figures.own;
   Json json{{"path", clip.path}, {"frames", clip.motion.num_frames()}, {"frame_rate", clip.motion.frame_rate()}};
   json["foot_slide_cm_per_s"] = kCmPerMetre * slide.speed;
   json["worst_foot_slide"] = json_worst(clip, "cm_per_s", kCmPerMetre * slide.worst_speed, slide.worst);

@@ -21,6 +21,7 @@ void add_sysid(CLI::App& app);
 void add_blend(CLI::App& app);
 void add_effort(CLI::App& app);
 void add_view(CLI::App& app);
+void add_report(CLI::App& app);
 void add_demo(CLI::App& app);
 void add_completion(CLI::App& app);
 

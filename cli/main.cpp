@@ -102,6 +102,7 @@ int main(int argc, char** argv) {
   add_blend(app);
   add_effort(app);
   add_view(app);
+  add_report(app);
   add_demo(app);
   add_completion(app);
   return flush_output(run(app, argc, argv));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view/clip_answer.h"
 
+#include "clip_figures.h"
 #include "view/workspace.h"
 
 #include <array>
@@ -64,14 +65,29 @@ std::vector<float> positions_of(const Motion& motion) {
   return positions;
 }
 
+/// Relative to the pelvis positions lie within a few metres however far the body travels: 16 bits hold them.
+void add_packed(Container& container, std::vector<float> positions, const Motion& motion) {
+  const auto stride = positions.size() / static_cast<std::size_t>(motion.num_frames());
+  const auto pelvis = 3 * static_cast<std::size_t>(motion.skeleton().pelvis());
+  std::vector<float> path, around = positions;
+  for (std::size_t begin = 0; begin < positions.size(); begin += stride) {
+    for (std::size_t axis = 0; axis < 3; ++axis) path.push_back(positions[begin + pelvis + axis]);
+    for (std::size_t i = 0; i < stride; ++i) around[begin + i] -= positions[begin + pelvis + i % 3];
+  }
+  if (Container::rounding_error(around) > kLargestPackingError) return container.add("positions", positions);
+  container.add("pelvisPath", path);
+  container.add_rounded("aroundPelvis", around);
+}
+
 }  // namespace
 
-Container clip_answer(const std::string& id, const std::string& name, const Motion& motion, const Diagnostics& notes) {
+Container clip_answer(const std::string& id, const std::string& name, const Motion& motion, const Diagnostics& notes,
+                      Packing packing) {
+  std::vector<motion::Footplant> found;
+  if (const auto legs = motion::find_legs(motion)) found = postprocess::detect_footplants(motion, *legs);
   Json plants = Json::array();
-  if (const auto legs = motion::find_legs(motion)) {
-    for (const motion::Footplant& plant : postprocess::detect_footplants(motion, *legs)) {
-      plants.push_back({{"foot", plant.foot}, {"begin", plant.begin}, {"end", plant.end}});
-    }
+  for (const motion::Footplant& plant : found) {
+    plants.push_back({{"foot", plant.foot}, {"begin", plant.begin}, {"end", plant.end}});
   }
   Container container({{"id", id},
                        {"name", name},
@@ -80,10 +96,14 @@ Container clip_answer(const std::string& id, const std::string& name, const Moti
                        {"points", points_of(motion)},
                        {"pelvis", motion.skeleton().pelvis()},
                        {"plants", plants},
-                       {"figures", Json::array()},
+                       {"figures", as_json(clip_figures(motion, found))},
                        {"curves", Json::array()},
                        {"notes", as_json(notes)}});
-  container.add("positions", positions_of(motion));
+  if (packing == Packing::kSmall && motion.num_frames() > 0) {
+    add_packed(container, positions_of(motion), motion);
+  } else {
+    container.add("positions", positions_of(motion));
+  }
   return container;
 }
 

@@ -11,9 +11,17 @@
 
 namespace strut::cli {
 
+/// How positions are sent: as they are, or small, for a file that is passed on.
+enum class Packing { kExact, kSmall };
+
+/// How far a position that is packed small may be off [m].
+inline constexpr double kLargestPackingError = 1e-4;
+
 /// The container of ClipHeader (viewer/src/data/types.ts) with the arrays "positions" [frames][points][3] (m) and
-/// "slide" [frames][2] (m/s). Points are the joints, then the tips of those that have one. Cost O(frames x joints).
+/// "slide" [frames][2] (m/s). Points are the joints, then the tips of those that have one. Packed small, "pelvisPath"
+/// [frames][3] and "aroundPelvis", the positions from there in 16 bits, stand for "positions" unless they would be off
+/// by more than kLargestPackingError. Cost O(frames x joints).
 Container clip_answer(const std::string& id, const std::string& name, const Motion& motion,
-                      const Diagnostics& notes = {});
+                      const Diagnostics& notes = {}, Packing packing = Packing::kExact);
 
 }  // namespace strut::cli

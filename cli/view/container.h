@@ -19,7 +19,12 @@ class Container {
 
   /// Adds an array of 32-bit numbers; NaN stands for "no number".
   void add(std::string_view name, const std::vector<float>& values);
+  /// The same in 16 bits a number, off by no more than rounding_error(values).
+  void add_rounded(std::string_view name, const std::vector<float>& values);
+  /// Half of 1/65534 of the range of `values`.
+  static double rounding_error(const std::vector<float>& values);
 
+  [[nodiscard]] Json& header() noexcept { return header_; }
   [[nodiscard]] std::string bytes() const;
 
  private:

@@ -22,9 +22,20 @@ export interface FileEntry {
   problem?: Problem;
 }
 
+/** What a report says beside its clips. */
+export interface ReportInfo {
+  title: string;
+  /** Paragraphs. */
+  notes: string[];
+  /** What the file does not hold, in sentences. */
+  leftOut: string[];
+}
+
 export interface SessionInfo {
   version: string;
   files: FileEntry[];
+  /** Set if the page is a report. */
+  report?: ReportInfo;
   /** Who labels, if the command line says so. */
   rater?: string;
 }
@@ -47,13 +58,27 @@ export interface Plant {
   end: number;
 }
 
+/** Where in a clip a figure is at its most extreme. */
+export interface Extreme {
+  /** "worst", "fastest", ... */
+  what: string;
+  value: number;
+  unit: string;
+  joint?: string;
+  frame: number;
+  /** After the first frame [s]. */
+  time: number;
+}
+
 export interface Figure {
   name: string;
+  /** None: the note says why. */
   value: number | null;
   unit: string;
   /** What is better, where that can be said. */
   better?: 'less' | 'more';
   note?: string;
+  extreme?: Extreme;
 }
 
 /** A curve that can be asked for: see Source.curve. */

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A report: the viewer's page with its clips in it, one HTML file that needs neither this program nor a network. From
+// clips to the page, whose <script id="report"> holds Report of viewer/src/data/report_source.ts.
+#pragma once
+
+#include "clip_figures.h"
+
+#include <string>
+#include <vector>
+
+#include <strut/core/diagnostics.h>
+#include <strut/motion/motion.h>
+
+namespace strut::cli {
+
+/// A clip of a report.
+struct ReportClip {
+  std::string name;
+  Motion motion;
+  Diagnostics notes{};                ///< what reading it had to say
+  std::vector<ClipFigure> figures{};  ///< put before those that are measured
+};
+
+/// What a report says beside its clips.
+struct ReportOptions {
+  std::string title;
+  std::vector<std::string> notes{};  ///< paragraphs
+  bool align = true;                 ///< clips with the first clip's skeleton to the first clip
+};
+
+/// The page. What could not be put in (a clip that cannot be aligned) is said on it. The same clips and options make
+/// the same bytes. Throws what measuring and aligning do, but for a clip that has nothing to be measured or aligned.
+std::string report_page(const std::vector<ReportClip>& clips, const ReportOptions& options);
+
+}  // namespace strut::cli
