@@ -60,7 +60,7 @@ TEST(LabellingSession, RepeatsWhatWasShownAWhileAgoAndEachOnce) {
   for (const LabellingItem& item : shown("ada", fragments(300))) steps[item.target].push_back(item.step);
   for (const auto& [target, of] : steps) {
     ASSERT_LE(of.size(), 2U);
-    if (of.size() == 2) EXPECT_GE(of[1] - of[0], kLeastStepsBetween);
+    EXPECT_TRUE(of.size() == 1 || of[1] - of[0] >= kLeastStepsBetween);
   }
 }
 
