@@ -46,7 +46,9 @@ function Trouble({ desk }: { desk: LabelDesk }) {
   return (
     <div class="part label-trouble">
       <ProblemNote problem={desk.problem.value} />
-      {isSaving && <p>Your label is not saved yet. It is kept here and sent again until it is; leave this page open.</p>}
+      {isSaving && (
+        <p>Your label is not saved yet. It is kept here and sent again until it is; leave this page open.</p>
+      )}
       <div class="row">
         <button type="button" onClick={() => desk.tryAgain()}>
           Try now
@@ -112,8 +114,8 @@ function Help() {
   return (
     <div class="part label-help">
       <p class="hint">
-        <kbd>1</kbd>–<kbd>{asksSpace.value ? 4 : 3}</kbd> factor · <kbd>←</kbd> <kbd>→</kbd> by 0.1, with <kbd>Shift</kbd>{' '}
-        by 0.01 · <kbd>0</kbd> neutral · <kbd>x</kbd> not present · <kbd>Space</kbd> play
+        <kbd>1</kbd>–<kbd>{asksSpace.value ? 4 : 3}</kbd> factor · <kbd>←</kbd> <kbd>→</kbd> by 0.1, with{' '}
+        <kbd>Shift</kbd> by 0.01 · <kbd>0</kbd> neutral · <kbd>x</kbd> not present · <kbd>Space</kbd> play
       </p>
       <details>
         <summary>What the factors mean</summary>
