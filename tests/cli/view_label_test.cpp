@@ -6,8 +6,12 @@
 #include "view_session.h"
 
 #include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -111,11 +115,12 @@ TEST_F(ViewLabel, RepeatsOneBlindly) {
   const auto answers = label_items(session, "ada");
   ASSERT_EQ(answers.size(), static_cast<std::size_t>(kFragments + 2));
   EXPECT_EQ(answers.back().at("done"), kFragments + 1);
-  std::set<std::string> names, keys;
+  std::set<std::string> names;
   for (std::size_t i = 0; i + 1 < answers.size(); ++i) {
     EXPECT_TRUE(names.insert(answers[i].at("next").get<std::string>()).second) << "a repeat has another name";
     EXPECT_FALSE(answers[i].contains("consistency"));
     EXPECT_THAT(answers[i].dump(), Not(HasSubstr("epeat")));
+    EXPECT_EQ(answers[i].size(), i == 0 ? 6U : 7U) << "every answer says the same things of its item";
     EXPECT_EQ(answers[i].at("total"), kFragments + 1);
   }
   const auto labels = labels_of("ada");
@@ -215,6 +220,27 @@ TEST_F(ViewLabel, GoesOnAsIfItHadNotBeenKilled) {
     EXPECT_EQ(labels_of("ada").size(), static_cast<std::size_t>(acknowledged));
   }
   EXPECT_EQ(targets_of(labels_of("ada")), undisturbed);
+}
+
+TEST_F(ViewLabel, HasEveryAcknowledgedLabelWheneverItIsKilled) {
+  for (const int milliseconds : {5, 20, 45, 80}) {
+    ViewSession session({path_});
+    const auto done_before = labels_of("ada").size();
+    std::atomic<std::size_t> acknowledged = done_before;
+    std::thread rater([&] {
+      Json at = Json::parse(session.get("labels/d0?rater=ada").body, nullptr, false);
+      while (at.is_object() && !at.at("next").is_null()) {
+        at = Json::parse(session.post("labels/d0", label("ada", at.at("next"), 0.5)).body, nullptr, false);
+        if (at.is_object()) acknowledged = at.at("done").get<std::size_t>();
+      }
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    session.program().send(SIGKILL);
+    rater.join();
+    const auto stored = labels_of("ada").size();
+    EXPECT_GE(stored, acknowledged);
+    EXPECT_LE(stored, acknowledged + 1);  // stored, but killed before it could say so
+  }
 }
 
 TEST_F(ViewLabel, TellsARaterNothingOfOthers) {

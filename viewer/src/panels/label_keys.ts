@@ -44,6 +44,6 @@ export function labelKeys(desk: LabelDesk, shown: () => readonly Factor[]): Shor
     key('c', 'Comment; Enter leaves it', focusComment),
     key('Enter', 'Save and go on', () => void desk.save()),
     { keys: 'u', description: 'Take the last label back', group: GROUP, action: () => void desk.undo() },
-    { keys: 'p', description: 'Pause labelling, or go on', group: GROUP, action: () => desk.togglePause() },
+    { keys: 'b', description: 'A break from labelling, or go on', group: GROUP, action: () => desk.togglePause() },
   ];
 }

@@ -32,7 +32,7 @@ function Progress({ desk }: { desk: LabelDesk }) {
           {left !== null && total > done && ` · about ${spanInWords(left)} left`}
         </output>
         <button type="button" aria-pressed={desk.isPaused.value} onClick={() => desk.togglePause()}>
-          {desk.isPaused.value ? 'Go on' : 'Pause'} <kbd>p</kbd>
+          {desk.isPaused.value ? 'Go on' : 'Break'} <kbd>b</kbd>
         </button>
       </div>
     </div>
