@@ -3,7 +3,7 @@
 import { FASTEST, LARGEST, SMALLEST, slideGradient } from '../scene/slide_scale';
 import { actors, showsGrid, showsSlide } from '../state/stage';
 
-const TICKS = [0, 10, 20, 30] as const;
+const TICKS = [0, 5, 10, 20] as const;
 
 /** A left bone is round and plain, a right one angular with bands. */
 function SideKey() {

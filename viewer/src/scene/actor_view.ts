@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All that is drawn of one actor, in its clip's coordinates under one placement.
 import * as THREE from 'three';
+import { colourOf } from '../state/looks';
 import { frameAt, frameRange } from '../state/playback';
 import type { Actor } from '../state/stage';
 import { bodyPoints } from './body';
@@ -17,6 +18,8 @@ import { Trail } from './trail';
 /** How the actor is shown. */
 export interface Shown {
   isGhost: boolean;
+  /** Titles stand under each other, as the bodies stand at one place. */
+  isStacked: boolean;
   plants: boolean;
   slide: boolean;
 }
@@ -51,7 +54,7 @@ export class ActorView {
     this.ring = new Ring(colour);
     this.label = new Label(overlay, 'actor-label');
     this.label.text = actor.title;
-    this.label.element.style.setProperty('--clip', `var(--clip-${colour % 6})`);
+    this.label.element.style.setProperty('--clip', colourOf(colour));
     this.object.add(this.figure.object, this.ring.object);
   }
 
@@ -62,10 +65,17 @@ export class ActorView {
   }
 
   /** Makes what is to be seen and was not made yet, and colours everything. */
-  show(theme: Theme, { isGhost, plants, slide }: Shown): void {
+  show(theme: Theme, { isGhost, isStacked, plants, slide }: Shown): void {
     const { clip, colour } = this.actor;
-    if (plants && !this.plants) this.object.add((this.plants = new PlantView(clip)).object);
-    if (slide && !this.slide) this.object.add((this.slide = new SlideView(clip)).object);
+    if (plants && !this.plants) {
+      this.plants = new PlantView(clip);
+      this.object.add(this.plants.object);
+    }
+    if (slide && !this.slide) {
+      this.slide = new SlideView(clip);
+      this.object.add(this.slide.object);
+    }
+    this.label.element.style.setProperty('--row', String(isStacked ? this.place : 0));
     const own = theme.clips[colour % theme.clips.length]!;
     this.figure.paint(theme, own, isGhost);
     this.ring.paint(own);

@@ -49,10 +49,33 @@ export function bodySize(header: Pick<ClipHeader, 'points' | 'pelvis'>, pose: Fl
   return size > 0 && Number.isFinite(size) ? size : 1;
 }
 
-/** How thick a bone is drawn [m]: longer ones thicker, but neither threads nor barrels; tips are thin. */
-export function boneRadius(length: number, size: number, isTip: boolean): number {
+/** How thick a bone is drawn [m]: longer ones thicker, but neither threads nor barrels; the trunk stout, tips thin. */
+export function boneRadius({ side, isTip }: Bone, length: number, size: number): number {
   const radius = Math.min(Math.max(0.13 * length, 0.011 * size), 0.038 * size);
-  return isTip ? 0.6 * radius : radius;
+  if (isTip) return 0.6 * radius;
+  return side === 'centre' ? 1.6 * radius : radius;
+}
+
+/** A head: at the point `base`, in the direction from one point to another. */
+export interface Head {
+  base: number;
+  from: number;
+  to: number;
+  length: number;
+}
+
+/** Where the trunk ends highest, a head: as long as the file says, or, where it says nothing, as long as heads are. */
+export function headOf(header: Pick<ClipHeader, 'points' | 'pelvis'>, pose: Float32Array, size: number): Head | null {
+  const bones = bonesOf(header).filter((bone) => bone.side === 'centre');
+  const ends = bones.filter(({ child }) => !bones.some(({ parent }) => parent === child));
+  ends.sort((a, b) => pose[3 * b.child + 1]! - pose[3 * a.child + 1]!);
+  const [end] = ends;
+  if (!end) return null;
+  const length = distance(pose, end.parent, end.child);
+  if (end.isTip && length > 0.05 * size) return { base: end.parent, from: end.parent, to: end.child, length };
+  const base = end.isTip ? end.parent : end.child;
+  const from = header.points[base]!.parent;
+  return base === header.pelvis ? null : { base, from, to: base, length: 0.19 * size };
 }
 
 /** Which way is left on the floor at frame `frame`, not normalized: by hips and shoulders, which do not swing. */

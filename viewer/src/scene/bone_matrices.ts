@@ -77,3 +77,25 @@ export function writeJoint(m: Float32Array, index: number, pose: Float32Array, p
   m[m0 + 14] = pose[3 * point + 2]!;
   m[m0 + 15] = 1;
 }
+
+/** The two ends of a head. */
+const ends = new Float32Array(6);
+
+/** Writes matrix number `index` of `m`: a head that goes from `base` on in the direction from `from` to `to`. */
+export function writeHead(
+  m: Float32Array,
+  index: number,
+  pose: Float32Array,
+  { base, from, to, length }: { base: number; from: number; to: number; length: number },
+  radius: number,
+): void {
+  let square = 0;
+  for (let axis = 0; axis < 3; ++axis) square += (pose[3 * to + axis]! - pose[3 * from + axis]!) ** 2;
+  const scale = square > 0 ? length / Math.sqrt(square) : 0;
+  for (let axis = 0; axis < 3; ++axis) {
+    const begin = pose[3 * base + axis]!;
+    ends[axis] = begin;
+    ends[3 + axis] = begin + scale * (pose[3 * to + axis]! - pose[3 * from + axis]!);
+  }
+  writeBone(m, index, ends, 0, 1, radius);
+}

@@ -81,3 +81,8 @@ export function boneShape(side: Side): THREE.BufferGeometry {
 export function jointShape(): THREE.BufferGeometry {
   return new THREE.IcosahedronGeometry(1, 3);
 }
+
+/** An egg along +Y from 0 to 1. */
+export function headShape(): THREE.BufferGeometry {
+  return new THREE.SphereGeometry(1, 20, 14).scale(1, 0.5, 1).translate(0, 0.5, 0);
+}

@@ -2,7 +2,7 @@
 // The camera: a person turns it, it goes along with the actors, and it glides to a view that is asked for.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { type Direction, type Extent, fittingDistance } from './framing';
+import { type Direction, framing } from './framing';
 import type { View } from './view_state';
 
 /** How long a glide takes [s]. */
@@ -68,25 +68,29 @@ export class CameraRig {
     }
   }
 
-  /** Looks at all of `extent` (relative to the middle): from where it looks now, or as `view` says when the first actor
-   *  faces `heading`. Glides there if `glides`. */
-  show(view: View, extent: Extent, heading: number, glides: boolean): void {
-    const target = new THREE.Vector3(...extent.min).add(new THREE.Vector3(...extent.max)).multiplyScalar(0.5);
-    target.add(this.middle);
-    const from = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(this.controls.target));
-    const turn = view === 'top' ? heading + Math.PI : heading;
-    const direction =
-      view === 'frame'
-        ? { azimuth: from.theta, elevation: Math.PI / 2 - from.phi }
-        : { azimuth: DIRECTIONS[view].azimuth + turn, elevation: DIRECTIONS[view].elevation };
+  /** Looks at all of `points` [n][3] (relative to the middle): from where it looks now, or as `view` says when the first
+   *  actor faces `heading`. Glides there if `glides`. */
+  show(view: View, points: Float32Array, heading: number, glides: boolean): void {
+    const from = new THREE.Spherical().setFromVector3(this.offset.copy(this.camera.position).sub(this.controls.target));
+    const direction = this.directionOf(view, heading, from);
     const lens = { fov: THREE.MathUtils.degToRad(FOV), aspect: this.camera.aspect };
-    const radius = Math.min(fittingDistance(extent, direction, lens), this.controls.maxDistance);
-    // The short way round.
-    const theta =
-      from.theta + Math.atan2(Math.sin(direction.azimuth - from.theta), Math.cos(direction.azimuth - from.theta));
-    const to = new THREE.Spherical(radius, Math.PI / 2 - direction.elevation, theta);
-    this.glide = { fromTarget: this.controls.target.clone(), toTarget: target, from, to, done: glides ? 0 : 1 };
-    if (!glides) this.update(0);
+    const { target, distance } = framing(points, direction, lens);
+    const turn = direction.azimuth - from.theta;
+    const theta = from.theta + Math.atan2(Math.sin(turn), Math.cos(turn));
+    const to = new THREE.Spherical(
+      Math.min(distance, this.controls.maxDistance),
+      Math.PI / 2 - direction.elevation,
+      theta,
+    );
+    const toTarget = new THREE.Vector3(...target).add(this.middle);
+    this.glide = { fromTarget: this.controls.target.clone(), toTarget, from, to, done: glides ? 0 : 1 };
+  }
+
+  private directionOf(view: View, heading: number, now: THREE.Spherical): Direction {
+    if (view === 'frame') return { azimuth: now.theta, elevation: Math.PI / 2 - now.phi };
+    const { azimuth, elevation } = DIRECTIONS[view];
+    // From above, who faces forward faces up.
+    return { azimuth: azimuth + heading + (view === 'top' ? Math.PI : 0), elevation };
   }
 
   /** Brings the middle back to the middle of the picture, as when following begins. */

@@ -3,7 +3,6 @@
 import * as THREE from 'three';
 import type { Actor } from '../state/stage';
 import { ActorView } from './actor_view';
-import { type Extent, include, noExtent } from './framing';
 import { placed, placements, type Wishes } from './placement';
 import { pathAt } from './root_path';
 import type { Theme } from './theme';
@@ -62,7 +61,7 @@ export class Cast {
     });
   }
 
-  show(theme: Theme, shown: { isOverlaid: boolean; plants: boolean; slide: boolean }): void {
+  show(theme: Theme, shown: { isOverlaid: boolean; isStacked: boolean; plants: boolean; slide: boolean }): void {
     this.views.forEach((view, i) => {
       view.show(theme, { ...shown, isGhost: shown.isOverlaid && i > 0 });
     });
@@ -121,29 +120,27 @@ export class Cast {
     return first ? first.course.heading + first.object.rotation.y : 0;
   }
 
-  /** The room that the bodies take, relative to the middle: of every moment if it is followed, or of now. */
-  extent(follows: boolean): Extent {
-    const extent = noExtent();
-    for (let k = 0; k <= MOMENTS; ++k) this.includeMoment(extent, k / MOMENTS, follows);
-    if (extent.min[0] > extent.max[0]) return { min: [-1, 0, -1], max: [1, 1.8, 1] };
-    const keep = (value: number) => Math.min(Math.max(value, -FARTHEST), FARTHEST);
-    const [min, max] = [extent.min.map(keep), extent.max.map(keep)] as [Extent['min'], Extent['max']];
-    min[1] = Math.min(min[1], 0);
-    return { min, max };
+  /** Where the bodies' points are, relative to the middle [n][3], at moments of the
+   *  whole clips: to where the middle is then if the camera follows it, and else to where it is now. */
+  points(follows: boolean): Float32Array {
+    const points: number[] = [];
+    for (let k = 0; k <= MOMENTS; ++k) this.addMoment(points, k / MOMENTS, follows);
+    return Float32Array.from(points.length > 0 ? points : [-1, 0, 0, 1, 0, 0, 0, 1.8, 0]);
   }
 
-  /** Adds the bodies at the part `share` of each clip. */
-  private includeMoment(extent: Extent, share: number, follows: boolean): void {
-    const frames = this.views.map(({ course }) =>
-      Math.round(course.begin + share * Math.max(0, course.end - 1 - course.begin)),
+  /** Adds the points at the part `share` of each clip, but for those that are too far away. */
+  private addMoment(points: number[], share: number, follows: boolean): void {
+    const frames = this.views.map(({ course: { begin, end } }) =>
+      Math.round(begin + share * Math.max(0, end - 1 - begin)),
     );
     const middle = follows ? this.middleAt(frames) : this.middle;
     this.views.forEach(({ actor: { clip }, object, joints }, i) => {
       const by = { x: object.position.x, z: object.position.z, yaw: object.rotation.y };
       for (const joint of joints) {
         const at = 3 * (frames[i]! * clip.numPoints + joint);
-        const { x, z } = placed({ x: clip.positions[at]!, z: clip.positions[at + 2]! }, by);
-        include(extent, x - middle.x, clip.positions[at + 1]!, z - middle.z);
+        const place = placed({ x: clip.positions[at]!, z: clip.positions[at + 2]! }, by);
+        const [x, z] = [place.x - middle.x, place.z - middle.z];
+        if (Math.hypot(x, z) < FARTHEST) points.push(x, clip.positions[at + 1]!, z);
       }
     });
   }

@@ -1,41 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Patterns that tell clips apart beside their colours: of lines in space, and of the ring about a body's feet.
+// The pattern that tells a clip from the others (state/looks.ts), in space: along lines and round the ring at a body's feet.
+import { dashOf } from '../state/looks';
 
-/** By Actor.colour, beginning again after the last: metres drawn and left out; nothing left out: solid. */
-const DASHES: readonly (readonly [drawn: number, gap: number])[] = [
-  [1, 0],
-  [0.12, 0.05],
-  [0.035, 0.035],
-  [0.25, 0.03],
-  [0.06, 0.02],
-  [0.02, 0.06],
-];
+/** Metres for each pixel of the pattern as it is drawn in lists and curves. */
+const SCALE = 0.014;
 
-export function dashOf(colour: number): readonly [drawn: number, gap: number] {
-  return DASHES[colour % DASHES.length]!;
+/** Lengths drawn and left out in turns [m], twice each; the second is 0 for a whole line. */
+export function dashesOf(colour: number): readonly [number, number, number, number] {
+  const pattern = dashOf(colour).map((length) => SCALE * length);
+  const [a = 1, b = 0, c = a, d = b] = pattern;
+  return [a, b, c, d];
 }
 
-/** An arc of a ring: where it begins and how far it goes (parts of a turn), between two radii (parts of the ring's). */
+/** A piece of a ring: where it begins and how far it goes, in parts of a turn. */
 export interface Arc {
   begin: number;
   length: number;
-  inner: number;
-  outer: number;
 }
 
-function arcs(count: number, share: number, inner = 0.88, outer = 1): Arc[] {
-  return Array.from({ length: count }, (_, i) => ({ begin: i / count, length: share / count, inner, outer }));
-}
-
-/** The ring of the clip with this colour: whole, in pieces, or double. */
-export function ringArcs(colour: number): Arc[] {
-  const rings = [
-    arcs(1, 1),
-    arcs(7, 0.68),
-    arcs(26, 0.5),
-    [...arcs(1, 1, 0.82, 0.87), ...arcs(1, 1, 0.94, 1)],
-    arcs(3, 0.85),
-    [...arcs(1, 1, 0.82, 0.87), ...arcs(14, 0.5, 0.93, 1)],
-  ];
-  return rings[colour % rings.length]!;
+/** The ring of a clip whose way round is `around` metres: its pattern, fitted to a whole number of repeats. */
+export function ringArcs(colour: number, around: number): Arc[] {
+  const [a, b, c, d] = dashesOf(colour);
+  if (b === 0) return [{ begin: 0, length: 1 }];
+  const once = a + b + c + d;
+  const repeats = Math.max(1, Math.round(around / once));
+  return Array.from({ length: repeats }, (_, i) => [
+    { begin: i / repeats, length: a / once / repeats },
+    { begin: (i + (a + b) / once) / repeats, length: c / once / repeats },
+  ]).flat();
 }

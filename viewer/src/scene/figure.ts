@@ -3,14 +3,16 @@
 import * as THREE from 'three';
 import type { Clip } from '../data/clip';
 import type { Side } from '../data/types';
-import { type Bone, bodyPoints, bodySize, boneRadius, bonesOf, distance } from './body';
-import { writeBone, writeJoint } from './bone_matrices';
-import { boneShape, jointShape } from './bone_shapes';
+import { type Bone, bodyPoints, bodySize, boneRadius, bonesOf, distance, type Head, headOf } from './body';
+import { writeBone, writeHead, writeJoint } from './bone_matrices';
+import { boneShape, headShape, jointShape } from './bone_shapes';
 import type { Theme } from './theme';
 
 const SIDES: readonly Side[] = ['left', 'right', 'centre'];
 /** A joint is this much of the thickest bone at it. */
 const JOINT = 0.62;
+/** How wide a head is: its radius, of its length. */
+const HEAD = 0.38;
 /** How much is seen of a body that another one is laid over. */
 const GHOST = 0.5;
 
@@ -34,6 +36,8 @@ function instances(shape: THREE.BufferGeometry, count: number): THREE.InstancedM
 export class Figure {
   readonly object = new THREE.Group();
   private readonly limbs: Limbs[];
+  private readonly head: Head | null;
+  private readonly headMesh: THREE.InstancedMesh;
   private readonly joints: THREE.InstancedMesh;
   private readonly jointPoints: Int32Array;
   private readonly jointRadii: Float32Array;
@@ -44,22 +48,25 @@ export class Figure {
     const size = bodySize(clip.header, pose);
     const bones = bonesOf(clip.header);
     const thickness = new Map<number, number>();
-    const radius = ({ parent, child, isTip }: Bone) => boneRadius(distance(pose, parent, child), size, isTip);
+    const radius = (bone: Bone) => boneRadius(bone, distance(pose, bone.parent, bone.child), size);
     for (const bone of bones) {
       for (const end of [bone.parent, bone.child]) {
         const own = radius(bone) * (end === bone.child ? 0.75 : 1);
         thickness.set(end, Math.max(thickness.get(end) ?? 0, JOINT * own));
       }
     }
+    this.head = headOf(clip.header, pose, size);
+    this.headMesh = instances(headShape(), this.head ? 1 : 0);
+    const isNeck = ({ parent, child }: Bone) => this.head?.from === parent && this.head.to === child;
     this.limbs = SIDES.map((side) => {
-      const own = bones.filter((bone) => bone.side === side);
+      const own = bones.filter((bone) => bone.side === side && !(isNeck(bone) && bone.isTip));
       return { side, bones: own, radii: Float32Array.from(own, radius), mesh: instances(boneShape(side), own.length) };
     });
     const points = bodyPoints(clip.header).filter((i) => !clip.header.points[i]!.isTip);
     this.jointPoints = Int32Array.from(points);
     this.jointRadii = Float32Array.from(points, (i) => thickness.get(i) ?? 0.02 * size);
     this.joints = instances(jointShape(), points.length);
-    this.object.add(this.joints, ...this.limbs.map(({ mesh }) => mesh));
+    this.object.add(...this.meshes());
   }
 
   /** `colour` is the clip's: trunk and joints show whose body it is, the limbs which side. */
@@ -73,6 +80,11 @@ export class Figure {
     };
     for (const { side, mesh } of this.limbs) paint(mesh, side === 'centre' ? colour : theme[side]);
     paint(this.joints, colour);
+    paint(this.headMesh, colour);
+  }
+
+  private meshes(): THREE.InstancedMesh[] {
+    return [this.joints, this.headMesh, ...this.limbs.map(({ mesh }) => mesh)];
   }
 
   /** Puts every bone where `pose` [points][3] has it. */
@@ -84,6 +96,11 @@ export class Figure {
       }
       mesh.instanceMatrix.needsUpdate = true;
     }
+    if (this.head) {
+      const { length } = this.head;
+      writeHead(this.headMesh.instanceMatrix.array as Float32Array, 0, pose, this.head, HEAD * length);
+      this.headMesh.instanceMatrix.needsUpdate = true;
+    }
     const matrices = this.joints.instanceMatrix.array as Float32Array;
     for (let k = 0; k < this.jointPoints.length; ++k) {
       writeJoint(matrices, k, pose, this.jointPoints[k]!, this.jointRadii[k]!);
@@ -92,7 +109,7 @@ export class Figure {
   }
 
   dispose(): void {
-    for (const mesh of [this.joints, ...this.limbs.map((limb) => limb.mesh)]) {
+    for (const mesh of this.meshes()) {
       mesh.geometry.dispose();
       (mesh.material as THREE.Material).dispose();
       mesh.dispose();

@@ -29,10 +29,10 @@ const GRID_FRAGMENT = /* glsl */ `
   }
   void main() {
     vec2 pixel = fwidth(place);
-    float coarse = line(place, pixel, 1.2);
+    float coarse = line(place, pixel, 0.3);
     float fine = line(place * 10.0, pixel * 10.0, 0.0);
     float far = length(place - middle);
-    float ink = max(coarse * 0.85, fine * 0.3 * (1.0 - smoothstep(2.0, 7.0, far)));
+    float ink = max(coarse * 0.62, fine * 0.26 * (1.0 - smoothstep(2.0, 7.0, far)));
     gl_FragColor = vec4(colour, ink * (1.0 - smoothstep(7.0, 22.0, far)));
     #include <colorspace_fragment>
   }`;

@@ -5,6 +5,7 @@ import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { ringArcs } from './clip_pattern';
 
 const RADIUS = 0.34;
+const INNER = 0.3;
 const SEGMENTS = 72;
 
 export class Ring {
@@ -12,10 +13,10 @@ export class Ring {
   private readonly material = new THREE.MeshBasicMaterial({ transparent: true, depthWrite: false });
 
   constructor(colour: number) {
-    const parts = ringArcs(colour).map(({ begin, length, inner, outer }) => {
+    const parts = ringArcs(colour, 2 * Math.PI * RADIUS).map(({ begin, length }) => {
       const segments = Math.max(2, Math.round(SEGMENTS * length));
       const turn = 2 * Math.PI;
-      return new THREE.RingGeometry(RADIUS * inner, RADIUS * outer, segments, 1, turn * begin, turn * length);
+      return new THREE.RingGeometry(INNER, RADIUS, segments, 1, turn * begin, turn * length);
     });
     this.object = new THREE.Mesh(mergeGeometries(parts).rotateX(-Math.PI / 2), this.material);
     for (const part of parts) part.dispose();

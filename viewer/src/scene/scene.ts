@@ -146,7 +146,8 @@ class SceneView {
 
   private paint(): void {
     const isOverlaid = layout.value === 'overlaid';
-    this.cast.show(this.theme, { isOverlaid, plants: showsPlants.value, slide: showsSlide.value });
+    const isStacked = isOverlaid && startsTogether.value;
+    this.cast.show(this.theme, { isOverlaid, isStacked, plants: showsPlants.value, slide: showsSlide.value });
     this.floor.paint(this.theme, showsGrid.value);
     this.sky.intensity = this.theme.isDark ? 1.5 : 1.9;
   }
@@ -171,8 +172,8 @@ class SceneView {
   }
 
   private show(view: View, atOnce = false): void {
-    const extent = this.cast.extent(followsRoot.peek());
-    this.rig.show(view, extent, this.cast.heading, !atOnce && !this.calm.matches);
+    const points = this.cast.points(followsRoot.peek());
+    this.rig.show(view, points, this.cast.heading, !atOnce && !this.calm.matches);
     this.request();
   }
 

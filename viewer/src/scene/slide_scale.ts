@@ -2,10 +2,10 @@
 // The scale of footskate: how fast a foot that stands slides, as colour and as size. The same for all clips.
 
 /** Where the scale ends [m/s]; what is faster is shown like this. */
-export const FASTEST = 0.3;
+export const FASTEST = 0.2;
 /** Radius of a mark that does not slide, and of the fastest [m]. */
-export const SMALLEST = 0.008;
-export const LARGEST = 0.045;
+export const SMALLEST = 0.01;
+export const LARGEST = 0.055;
 
 /** Viridis (Smith and van der Walt 2015) at equal steps: brighter the faster, also without red and green. */
 const VIRIDIS: readonly (readonly [number, number, number])[] = [

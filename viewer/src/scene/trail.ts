@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // A joint's trail: its path as a line in the clip's colour and pattern, made once; what is past, to come or not shown is
-// told apart on the graphics card by the frames at the ends of each piece.
+// told apart on the graphics card by the frames at the ends of each piece. Patterns have four lengths, not two as three's.
 import * as THREE from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineGeometry } from 'three/addons/lines/LineGeometry.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import type { Clip } from '../data/clip';
-import { dashOf } from './clip_pattern';
+import { dashesOf } from './clip_pattern';
 import { pieceFrames, shownFrames, trailPath } from './trail_path';
 
 const WIDTH = 3.5;
 const MARK = 0.028;
 
 /** Adds to the material of fat lines which frames are shown and which moment it is. */
-function withMoments(material: LineMaterial): LineMaterial {
-  Object.assign(material.uniforms, { shown: { value: new THREE.Vector2() }, now: { value: 0 }, fades: { value: 0 } });
+function withMoments(material: LineMaterial, dashes: readonly [number, number, number, number]): LineMaterial {
+  const shown = { value: new THREE.Vector2() };
+  const pattern = { value: new THREE.Vector4(...dashes) };
+  Object.assign(material.uniforms, { shown, pattern, now: { value: 0 }, fades: { value: 0 } });
   material.vertexShader = material.vertexShader
     .replace(
       'void main() {',
@@ -32,13 +34,18 @@ function withMoments(material: LineMaterial): LineMaterial {
   material.fragmentShader = material.fragmentShader
     .replace(
       'void main() {',
-      'uniform vec2 shown; uniform float now; uniform float fades; varying float moment;\nvoid main() {',
+      'uniform vec2 shown; uniform vec4 pattern; uniform float now; uniform float fades; varying float moment;\nvoid main() {',
     )
     .replace(
       'float alpha = opacity;',
       `if (moment < shown.x || moment > shown.y) discard;
       float age = (moment - shown.x) / max(shown.y - shown.x, 1e-3);
       float alpha = opacity * mix(moment > now ? 0.3 : 1.0, 0.1 + 0.9 * age, fades);`,
+    )
+    .replace(
+      'if ( mod( vLineDistance + dashOffset, dashSize + gapSize ) > dashSize ) discard;',
+      `float along = mod(vLineDistance, pattern.x + pattern.y + pattern.z + pattern.w) - pattern.x;
+      if ((along > 0.0 && along < pattern.y) || along > pattern.y + pattern.z) discard;`,
     );
   return material;
 }
@@ -56,10 +63,10 @@ export class Trail {
     private readonly frames: readonly [number, number],
     colour: number,
   ) {
-    const [dashSize, gapSize] = dashOf(colour);
+    const dashes = dashesOf(colour);
     const { positions, frames: moments } = trailPath(clip, point, ...frames);
-    const lines = new LineMaterial({ linewidth: WIDTH, dashed: gapSize > 0, dashSize, gapSize, transparent: true });
-    this.material = withMoments(lines);
+    const lines = new LineMaterial({ linewidth: WIDTH, dashed: dashes[1] > 0, transparent: true });
+    this.material = withMoments(lines, dashes);
     this.material.depthWrite = false;
     const ball = new THREE.SphereGeometry(1, 20, 14);
     this.mark = new THREE.Mesh(ball, new THREE.MeshBasicMaterial());
