@@ -3,6 +3,7 @@
 // label stays here until the program has said that it is stored; what failed is tried again by itself.
 import { computed, signal } from '@preact/signals';
 import type { Clip } from '../data/clip';
+import { SourceError } from '../data/source';
 import type { Problem } from '../data/types';
 import { problemOf } from '../state/session';
 import { type Draft, EMPTY, labelOf, missing, nudge, setValue, toggleNotPresent } from './draft';
@@ -25,6 +26,9 @@ const NOTES = {
   before: 'That movement had its label already, as it was sent first; undo takes it back.',
   no: 'That label was not stored: the movement was labelled or taken back elsewhere.',
 } as const;
+
+/** The page tells at its top that the program is gone, and what to do. */
+const WAITING: Problem = { message: 'Waiting for the program.' };
 
 /** Until a failed question is asked again [ms]. */
 const RETRY_AFTER = 2000;
@@ -155,7 +159,7 @@ export class LabelDesk {
       this.doing.value = null;
       this.problem.value = null;
     } catch (error) {
-      this.problem.value = problemOf(error);
+      this.problem.value = error instanceof SourceError && error.isUnanswered ? WAITING : problemOf(error);
       this.again = () => void this.attempt(doing, step);
       if (!this.isClosed) this.retry = setTimeout(() => this.tryAgain(), RETRY_AFTER);
     }

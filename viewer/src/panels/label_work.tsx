@@ -163,7 +163,10 @@ function useStage(desk: LabelDesk): void {
     actors.value = movement ? viewsOf(movement, showsTwoSides.value) : [];
   });
   useSignalEffect(() => {
-    if (desk.movement.value === null) return;
+    if (desk.movement.value === null) {
+      isPlaying.value = false;
+      return;
+    }
     loop.value = null;
     time.value = 0;
     look('front');
