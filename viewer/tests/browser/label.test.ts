@@ -111,7 +111,7 @@ describe('labelling', () => {
     const { page } = await openPage(browser, view.address);
     await startLabelling(page, 'eve');
     await waitForLabels(page, 0);
-    expect(await page.locator('.label-panel').innerText()).not.toContain('ada');
+    expect(await page.locator('.label-panel').textContent()).not.toContain('ada');
     await label(page, 1);
     expect(labelsOf('eve')).toBe(1);
     expect(labelsOf('ada')).toBe(10);
