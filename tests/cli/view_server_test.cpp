@@ -4,15 +4,12 @@
 #include "support/walks.h"
 #include "view_session.h"
 
-#include <arpa/inet.h>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
-#include <netinet/in.h>
 #include <sstream>
 #include <string>
-#include <sys/socket.h>
 #include <thread>
 #include <unistd.h>
 #include <utility>
@@ -20,12 +17,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <httplib.h>  // and the sockets of the system it is built for
 
 #include <strut/core/file.h>
 
 namespace strut::test {
 namespace {
 
+using testing::Each;
+using testing::Ge;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -50,16 +50,22 @@ struct Paths {
   std::string page, question, origin;
 };
 
-/// Whether a connection to `port` of `address` is taken.
-bool connects(const char* address, int port) {
+/// A connection to `port` of `address` over which nothing is said; -1 if none is taken.
+int silent_connection(const char* address, int port) {
   const int connection = ::socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in place{};
   place.sin_family = AF_INET;
   place.sin_port = htons(static_cast<std::uint16_t>(port));
   ::inet_pton(AF_INET, address, &place.sin_addr);
-  const bool taken = ::connect(connection, reinterpret_cast<sockaddr*>(&place), sizeof place) == 0;
+  if (::connect(connection, reinterpret_cast<sockaddr*>(&place), sizeof place) == 0) return connection;
   ::close(connection);
-  return taken;
+  return -1;
+}
+
+bool connects(const char* address, int port) {
+  const int connection = silent_connection(address, port);
+  if (connection >= 0) ::close(connection);
+  return connection >= 0;
 }
 
 // ---- whom it answers ------------------------------------------------------------------------------------------------
@@ -210,14 +216,8 @@ TEST_F(ViewServer, RefusesWhatIsTooLong) {
 TEST_F(ViewServer, AnswersWhileOthersKeepConnectionsAndSayNothing) {
   const ViewSession session({walk()});
   std::vector<int> silent;
-  for (int i = 0; i < 20; ++i) {
-    silent.push_back(::socket(AF_INET, SOCK_STREAM, 0));
-    sockaddr_in place{};
-    place.sin_family = AF_INET;
-    place.sin_port = htons(static_cast<std::uint16_t>(session.port()));
-    ::inet_pton(AF_INET, "127.0.0.1", &place.sin_addr);
-    ASSERT_EQ(::connect(silent.back(), reinterpret_cast<sockaddr*>(&place), sizeof place), 0);
-  }
+  for (int i = 0; i < 20; ++i) silent.push_back(silent_connection("127.0.0.1", session.port()));
+  EXPECT_THAT(silent, Each(Ge(0)));
   EXPECT_EQ(session.get("session").status, 200);
   for (const int connection : silent) ::close(connection);
 }

@@ -121,11 +121,15 @@ TEST_F(View, ShowsWhatIsWrongWithFilesAndServesTheOthers) {
 }
 
 TEST_F(View, SaysWhichCommandTakesAModelOfAnotherKind) {
-  ASSERT_EQ(here_.run(STRUT_PROGRAM, {"blend", "@gaits.strutgait", "--learn", "walk=", "@walk.bvh"}).exit_code, 0);
-  const ViewSession session({file("gaits.strutgait")});
-  const json problem = files_of(session).at(0).at("problem");
-  EXPECT_THAT(problem.at("message"), AllOf(HasSubstr("found a gait model"), HasSubstr("a clip (BVH)")));
-  EXPECT_THAT(problem.at("hint"), HasSubstr("strut blend"));
+  const std::string size(4, '\0');  // what stands before a model's mark
+  write_file(file("gaits.strutgait"), size + "STRG");
+  write_file(file("moves.struteffort"), size + "STRE");
+  const ViewSession session({file("gaits.strutgait"), file("moves.struteffort")});
+  const json files = files_of(session);
+  EXPECT_THAT(files[0].at("problem").at("message"), AllOf(HasSubstr("found a gait model"), HasSubstr("a clip (BVH)")));
+  EXPECT_THAT(files[0].at("problem").at("hint"), HasSubstr("strut blend"));
+  EXPECT_THAT(files[1].at("problem").at("message"), HasSubstr("found an Effort model"));
+  EXPECT_THAT(files[1].at("problem").at("hint"), HasSubstr("strut effort apply"));
 }
 
 TEST_F(View, OpensThePageThoughEveryFileIsBad) {
