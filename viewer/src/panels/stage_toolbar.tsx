@@ -22,11 +22,11 @@ const SWITCHES: readonly Switch[] = [
 ];
 
 const VIEWS: readonly { view: View; title: string; hint: string; letter: string }[] = [
-  { view: 'frame', title: 'Frame all', hint: 'See everybody', letter: 'a' },
+  { view: 'frame', title: 'Frame all', hint: 'See everybody', letter: 'v' },
   { view: 'front', title: 'Front', hint: 'Look from the front', letter: '7' },
   { view: 'side', title: 'Side', hint: 'Look from the side', letter: '8' },
   { view: 'top', title: 'Top', hint: 'Look from above', letter: '9' },
-  { view: 'corner', title: 'Corner', hint: 'Look from a corner', letter: '0' },
+  { view: 'corner', title: 'Corner', hint: 'Look from a corner', letter: '6' },
 ];
 
 const flip = (on: Signal<boolean>) => {

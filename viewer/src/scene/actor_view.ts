@@ -112,6 +112,7 @@ export class ActorView {
     this.figure.update(this.pose);
     this.ring.update(this.pose, this.actor.clip.header.pelvis);
     this.plants?.update(this.frame);
+    this.slide?.update(this.frame);
     for (const trail of this.trails.values()) trail.update(this.pose, this.frame, trailSeconds);
   }
 

@@ -121,7 +121,7 @@ function feetTexture(): THREE.CanvasTexture {
   return texture;
 }
 
-/** Plants that are longer ago, or to come, are not shown [s]: in a long clip one could not make out any. */
+/** Marks that are longer ago, or to come, are not shown [s]: in a long clip one could not make out any. */
 const REACH = 15;
 
 /** The footplants of a clip. */
@@ -163,48 +163,56 @@ export class PlantView {
 }
 
 const SLIDE_VERTEX = /* glsl */ `
-  attribute vec3 mark;
+  attribute vec4 mark;
   attribute vec3 colour;
+  uniform float now;
+  uniform float reach;
   varying vec2 at;
   varying vec3 ink;
+  varying float near;
   void main() {
     at = uv * 2.0 - 1.0;
     ink = colour;
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(mark.x + position.x * mark.z, 0.0, mark.y + position.z * mark.z, 1.0);
+    vec2 place = mark.xy + position.xz * mark.z;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(place.x, 0.0, place.y, 1.0);
+    float away = abs(mark.w - now) / reach;
+    near = 1.0 - smoothstep(0.6, 1.0, away);
+    if (away > 1.0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   }`;
 
 const SLIDE_FRAGMENT = /* glsl */ `
   uniform vec3 edge;
   varying vec2 at;
   varying vec3 ink;
+  varying float near;
   void main() {
     float r = length(at);
     float pixel = max(fwidth(r), 1e-4);
     float cover = 1.0 - smoothstep(1.0 - pixel, 1.0, r);
     float isEdge = smoothstep(1.0 - 2.2 * pixel, 1.0 - 1.2 * pixel, r) * 0.55;
-    gl_FragColor = vec4(mix(ink, edge, isEdge), cover);
+    gl_FragColor = vec4(mix(ink, edge, isEdge), cover * near);
     #include <colorspace_fragment>
   }`;
 
 /** The footskate of a clip. */
 export class SlideView {
   readonly object: THREE.Mesh;
-  private readonly uniforms = { edge: { value: new THREE.Color() } };
+  private readonly uniforms = { edge: { value: new THREE.Color() }, now: { value: 0 }, reach: { value: 0 } };
 
   constructor(clip: Clip) {
-    const slides = slideMarks(clip);
-    const count = slides.length / 3;
-    const discs = new Float32Array(slides);
-    const colours = new Float32Array(slides.length);
+    const discs = slideMarks(clip);
+    const count = discs.length / 4;
+    const colours = new Float32Array(3 * count);
     const colour = new THREE.Color();
     for (let i = 0; i < count; ++i) {
-      const slide = slides[3 * i + 2]!;
-      discs[3 * i + 2] = slideRadius(slide);
+      const slide = discs[4 * i + 2]!;
+      discs[4 * i + 2] = slideRadius(slide);
       const [r, g, b] = slideColour(onScale(slide));
       colour.setRGB(r / 255, g / 255, b / 255, THREE.SRGBColorSpace).toArray(colours, 3 * i);
     }
+    this.uniforms.reach.value = REACH * clip.header.frameRate;
     const geometry = square();
-    geometry.setAttribute('mark', new THREE.InstancedBufferAttribute(discs, 3));
+    geometry.setAttribute('mark', new THREE.InstancedBufferAttribute(discs, 4));
     geometry.setAttribute('colour', new THREE.InstancedBufferAttribute(colours, 3));
     geometry.instanceCount = count;
     this.object = marks(geometry, floorMaterial(SLIDE_VERTEX, SLIDE_FRAGMENT, this.uniforms), 6);
@@ -212,6 +220,10 @@ export class SlideView {
 
   paint(theme: Theme): void {
     this.uniforms.edge.value.copy(theme.text);
+  }
+
+  update(frame: number): void {
+    this.uniforms.now.value = frame;
   }
 
   dispose(): void {

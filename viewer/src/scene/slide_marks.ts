@@ -2,7 +2,8 @@
 // Footskate on the floor: for every frame in which a foot stands, where its slower end is and how fast that slides.
 import type { Clip } from '../data/clip';
 
-/** [marks][3]: x and z [m], and how fast it slides [m/s]; the slowest first, so that they do not hide what is worse. */
+/** [marks][4]: x and z [m], how fast it slides [m/s], and the frame; the slowest first, so that they do not hide what is
+ *  worse. */
 export type SlideMarks = Float32Array;
 
 /** A mark this near the one before, and about as fast, is left out [m, m/s]. */
@@ -28,7 +29,7 @@ function marksOf(clip: Clip, foot: number, { ankle, toe }: { ankle: number; toe:
     const [x, z] = [clip.positions[at]!, clip.positions[at + 2]!];
     const before = marks.at(-1);
     const isNew = !before || Math.hypot(x - before[0]!, z - before[1]!) > NEAR || Math.abs(slide - before[2]!) > ALIKE;
-    if (isNew) marks.push([x, z, slide]);
+    if (isNew) marks.push([x, z, slide, frame]);
   }
   return marks;
 }

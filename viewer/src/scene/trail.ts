@@ -7,7 +7,7 @@ import { LineGeometry } from 'three/addons/lines/LineGeometry.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import type { Clip } from '../data/clip';
 import { dashesOf } from './clip_pattern';
-import { pieceFrames, shownFrames, trailPath } from './trail_path';
+import { cut, pieceFrames, shownFrames, type TrailPath, trailPath } from './trail_path';
 
 const WIDTH = 3.5;
 const MARK = 0.028;
@@ -50,10 +50,20 @@ function withMoments(material: LineMaterial, dashes: readonly [number, number, n
   return material;
 }
 
+/** A part of a trail, drawn only if some of it is to be seen. */
+interface Part {
+  line: Line2;
+  first: number;
+  last: number;
+}
+
+/** In parts of so many pieces a trail is drawn. */
+const PIECES = 256;
+
 export class Trail {
   readonly object = new THREE.Group();
   private readonly material: LineMaterial;
-  private readonly geometry = new LineGeometry();
+  private readonly parts: Part[];
   private readonly mark: THREE.Mesh;
   private readonly halo: THREE.Mesh;
 
@@ -64,7 +74,6 @@ export class Trail {
     colour: number,
   ) {
     const dashes = dashesOf(colour);
-    const { positions, frames: moments } = trailPath(clip, point, ...frames);
     // A whole line is dashed too, with gaps of nothing: without the round ends that show where pieces meet.
     const lines = new LineMaterial({ linewidth: WIDTH, dashed: true, transparent: true });
     this.material = withMoments(lines, dashes);
@@ -75,14 +84,18 @@ export class Trail {
     this.mark.scale.setScalar(MARK);
     this.halo.scale.setScalar(MARK * 1.35);
     this.object.add(this.mark, this.halo);
-    if (moments.length < 2) return;
-    this.geometry.setPositions(positions);
-    this.geometry.setAttribute('moments', new THREE.InstancedBufferAttribute(pieceFrames(moments), 2));
-    const line = new Line2(this.geometry, this.material);
+    this.parts = cut(trailPath(clip, point, ...frames), PIECES).map((path) => this.partOf(path));
+    this.object.add(...this.parts.map(({ line }) => line));
+  }
+
+  private partOf({ positions, frames }: TrailPath): Part {
+    const geometry = new LineGeometry();
+    geometry.setPositions(positions);
+    geometry.setAttribute('moments', new THREE.InstancedBufferAttribute(pieceFrames(frames), 2));
+    const line = new Line2(geometry, this.material);
     line.computeLineDistances();
-    line.frustumCulled = false;
     line.renderOrder = 12;
-    this.object.add(line);
+    return { line, first: frames[0]!, last: frames.at(-1)! };
   }
 
   paint(colour: THREE.Color, outline: THREE.Color): void {
@@ -96,6 +109,7 @@ export class Trail {
     const { shown, now, fades } = this.material.uniforms;
     (shown!.value as THREE.Vector2).set(first, last);
     now!.value = frame;
+    for (const part of this.parts) part.line.visible = part.last >= first && part.first <= last;
     fades!.value = seconds === null ? 0 : 1;
     const at = 3 * this.point;
     this.mark.position.set(pose[at]!, pose[at + 1]!, pose[at + 2]!);
@@ -103,7 +117,7 @@ export class Trail {
   }
 
   dispose(): void {
-    this.geometry.dispose();
+    for (const { line } of this.parts) line.geometry.dispose();
     this.material.dispose();
     this.mark.geometry.dispose();
     (this.mark.material as THREE.Material).dispose();

@@ -2,19 +2,47 @@
 import { describe, expect, it } from 'vitest';
 import { clipOf, LEFT_TOE } from './clip_of.test_support';
 import { dashesOf, ringArcs } from './clip_pattern';
-import { pieceFrames, shownFrames, trailPath } from './trail_path';
+import { cut, pieceFrames, shownFrames, trailPath } from './trail_path';
 
 describe('trailPath', () => {
-  it('goes through every frame of a joint that moves', () => {
-    const clip = clipOf({ frames: 30, speed: 3 });
-    const { positions, frames } = trailPath(clip, LEFT_TOE, 5, 20);
-    expect([...frames]).toEqual(Array.from({ length: 15 }, (_, i) => 5 + i));
-    expect(positions[2]).toBeCloseTo(0.15 + 0.5, 5);
+  it('is never far from where the joint was', () => {
+    const clip = clipOf({ frames: 90 });
+    const at = (frame: number) => 3 * (frame * clip.numPoints + LEFT_TOE);
+    for (let frame = 0; frame < 90; ++frame) clip.positions[at(frame)] = 0.3 * Math.sin(frame / 8);
+    const { positions, frames } = trailPath(clip, LEFT_TOE, 5, 80);
+    expect(frames.length).toBeLessThan(40);
+    expect([frames[0], frames.at(-1)]).toEqual([5, 79]);
+    for (let i = 0; i + 1 < frames.length; ++i) {
+      for (let frame = frames[i]!; frame < frames[i + 1]!; ++frame) {
+        const share = (frame - frames[i]!) / (frames[i + 1]! - frames[i]!);
+        const x = positions[3 * i]! + share * (positions[3 * i + 3]! - positions[3 * i]!);
+        expect(Math.abs(x - clip.positions[at(frame)]!)).toBeLessThan(0.0041);
+      }
+    }
   });
 
-  it('is thin where a joint rests, but keeps both ends', () => {
-    const { frames } = trailPath(clipOf({ frames: 30 }), LEFT_TOE, 0, 30);
-    expect([...frames]).toEqual([0, 29]);
+  it('is thin where a joint rests or goes evenly, but keeps both ends', () => {
+    for (const speed of [0, 2]) {
+      const { frames } = trailPath(clipOf({ frames: 30, speed }), LEFT_TOE, 0, 30);
+      expect([...frames]).toEqual([0, 29]);
+    }
+  });
+
+  it('is empty without frames', () => {
+    expect(trailPath(clipOf({ frames: 5 }), LEFT_TOE, 3, 3).frames).toHaveLength(0);
+  });
+
+  it('can be cut into parts that hang together', () => {
+    const path = {
+      positions: Float32Array.from({ length: 15 }, (_, i) => i),
+      frames: Float32Array.from([0, 1, 2, 3, 4]),
+    };
+    const parts = cut(path, 3);
+    expect(parts.map(({ frames }) => [...frames])).toEqual([
+      [0, 1, 2, 3],
+      [3, 4],
+    ]);
+    expect([...parts[1]!.positions]).toEqual([9, 10, 11, 12, 13, 14]);
   });
 
   it('knows the frames at the ends of each piece', () => {

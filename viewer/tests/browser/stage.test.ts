@@ -23,7 +23,8 @@ afterAll(async () => {
 });
 
 beforeEach(async () => {
-  opened = await openPage(browser, view.address);
+  // A small picture: it is drawn in software.
+  opened = await openPage(browser, view.address, { viewport: { width: 1000, height: 640 } });
   page = opened.page;
   await waitForClips(page, 2);
   await settled();
