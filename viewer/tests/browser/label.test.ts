@@ -9,6 +9,9 @@ import { openPage, startChromium } from './support/chromium';
 import { DEMO, OUTPUT, PROGRAM, run, View } from './support/program';
 
 const DATABASE = join(OUTPUT, 'label.db');
+/** Small and without glides: drawing in software is what takes the time here. */
+const SCREEN = { viewport: { width: 1200, height: 480 }, reducedMotion: 'reduce' } as const;
+const PATIENCE = 180_000;
 let browser: Browser;
 
 beforeAll(async () => {
@@ -55,10 +58,10 @@ async function label(page: Page, count: number): Promise<void> {
   await waitForLabels(page, count);
 }
 
-describe('labelling', () => {
+describe('labelling', { timeout: PATIENCE }, () => {
   it('takes ten labels by keys, over the death of the program, without loss', async () => {
     let view = await View.start(DATABASE);
-    const first = await openPage(browser, view.address);
+    const first = await openPage(browser, view.address, SCREEN);
     await startLabelling(first.page, 'ada');
     await waitForLabels(first.page, 0);
     for (let count = 1; count <= 5; ++count) {
@@ -74,7 +77,7 @@ describe('labelling', () => {
     await first.page.context().close();
 
     view = await View.start(DATABASE);
-    const second = await openPage(browser, view.address);
+    const second = await openPage(browser, view.address, SCREEN);
     await startLabelling(second.page, 'ada');
     await waitForLabels(second.page, 5);
     for (let count = 6; count <= 10; ++count) await label(second.page, count);
@@ -86,7 +89,7 @@ describe('labelling', () => {
 
   it('asks for a word on every factor, and undoes', async () => {
     const view = await View.start(DATABASE);
-    const { page, errors } = await openPage(browser, view.address);
+    const { page, errors } = await openPage(browser, view.address, SCREEN);
     await startLabelling(page, 'ada');
     await waitForLabels(page, 10);
     await page.keyboard.press('ArrowRight');
@@ -108,7 +111,7 @@ describe('labelling', () => {
 
   it('shows a second rater nothing of the first', async () => {
     const view = await View.start(DATABASE);
-    const { page } = await openPage(browser, view.address);
+    const { page } = await openPage(browser, view.address, SCREEN);
     await startLabelling(page, 'eve');
     await waitForLabels(page, 0);
     expect(await page.locator('.label-panel').textContent()).not.toContain('ada');
@@ -118,7 +121,7 @@ describe('labelling', () => {
     // This tab goes on as eve, another asks who labels.
     await page.reload();
     await waitForLabels(page, 1);
-    const other = await openPage(browser, view.address);
+    const other = await openPage(browser, view.address, SCREEN);
     await other.page.locator('.label-name').waitFor();
     await other.page.context().close();
     await page.context().close();
