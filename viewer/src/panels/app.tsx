@@ -126,6 +126,10 @@ function usePage(showShortcuts: () => void): void {
     entry('[', 'Files, or more room', () => layout.toggle('files')),
     entry(']', 'Controls, or more room', () => layout.toggle('controls')),
     entry('c', 'Curves, or more room', toggleDrawer),
+    {
+      ...entry('Escape', 'Close what lies over the stage of a narrow screen', layout.closeOverlay),
+      when: () => layout.overlay.value !== null,
+    },
   ]);
   useEffect(() => listenToKeys(document), []);
   useEffect(layout.watchWidth, []);

@@ -74,6 +74,7 @@ function FrameShown({ actor }: { actor: Actor }) {
 function AligningNote({ aligning }: { aligning: Aligning | undefined }) {
   if (!aligning) return null;
   if (aligning.state === 'waiting') return <p class="hint">Aligning it with the reference…</p>;
+  if (aligning.state === 'unanswered') return <p class="hint">Not aligned yet: it goes by time instead.</p>;
   if (aligning.state === 'refused') {
     return (
       <>
