@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: modes at the top, files and the mode's controls at the sides, the view in the middle, the timeline and a
 // drawer of curves below.
-import { useSignal, useSignalEffect } from '@preact/signals';
+import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
 import type { Source } from '../data/source';
@@ -11,6 +11,7 @@ import { mode, open, session } from '../state/session';
 import { listenToKeys, type Shortcut } from '../state/shortcuts';
 import { Icon, type IconName } from '../ui/icon';
 import { Splitter } from '../ui/splitter';
+import { useLive } from '../ui/use_live';
 import { useShortcuts } from '../ui/use_shortcuts';
 import { ComparePanel } from './compare_panel';
 import { Curves } from './curves';
@@ -126,10 +127,14 @@ function usePage(showShortcuts: () => void): void {
     entry('[', 'Files, or more room', () => layout.toggle('files')),
     entry(']', 'Controls, or more room', () => layout.toggle('controls')),
     entry('c', 'Curves, or more room', toggleDrawer),
+    {
+      ...entry('Escape', 'Close what lies over the stage of a narrow screen', layout.closeOverlay),
+      when: () => layout.overlay.value !== null,
+    },
   ]);
   useEffect(() => listenToKeys(document), []);
   useEffect(layout.watchWidth, []);
-  useSignalEffect(() => {
+  useLive(() => {
     document.title = session.value?.report?.title ?? titleOf(session.value?.files ?? []);
   });
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Compare: clips beside each other or over each other, kept in step by time, by frame, or by which moments belong together.
-import { useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { isGone } from '../data/connection';
 import { type Aligning, alignings, alignWithFirst, stopAligning } from '../state/aligning';
@@ -11,6 +10,7 @@ import { type Actor, actors, type Step, step } from '../state/stage';
 import { FileName } from '../ui/file_name';
 import { ProblemNote } from '../ui/problem_note';
 import { Swatch } from '../ui/swatch';
+import { useLive } from '../ui/use_live';
 import { useShortcuts } from '../ui/use_shortcuts';
 import { Figures } from './figures';
 import { ReportNotes } from './report_notes';
@@ -62,7 +62,7 @@ function StepChoice() {
 /** The frame of a clip that is shown now, written straight into the page. */
 function FrameShown({ actor }: { actor: Actor }) {
   const place = useRef<HTMLElement>(null);
-  useSignalEffect(() => {
+  useLive(() => {
     const frame = frameAt(actor, time.value);
     const seconds = frame / actor.clip.header.frameRate;
     place.current!.textContent = `#${Math.round(frame)}, ${seconds.toFixed(2)} s`;
@@ -74,6 +74,7 @@ function FrameShown({ actor }: { actor: Actor }) {
 function AligningNote({ aligning }: { aligning: Aligning | undefined }) {
   if (!aligning) return null;
   if (aligning.state === 'waiting') return <p class="hint">Aligning it with the reference…</p>;
+  if (aligning.state === 'unanswered') return <p class="hint">Not aligned yet: it goes by time instead.</p>;
   if (aligning.state === 'refused') {
     return (
       <>
@@ -127,10 +128,10 @@ function OnStage() {
 
 /** Puts what was chosen on the stage, and in step. */
 function useStage(): void {
-  useSignalEffect(() => {
+  useLive(() => {
     actors.value = comparedActors.value;
   });
-  useSignalEffect(() => {
+  useLive(() => {
     // Once the program answers again, it is asked again for what it did not answer.
     if (step.value === 'alignment' && !isGone.value) void alignWithFirst(comparedActors.value);
     else if (step.value !== 'alignment') stopAligning();

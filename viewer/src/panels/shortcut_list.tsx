@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The keys of the page as they are now, by group, in a dialog.
 import { useEffect, useRef } from 'preact/hooks';
-import { keysOf, type Shortcut, shortcuts } from '../state/shortcuts';
+import { keysOf, listed, type Shortcut } from '../state/shortcuts';
 import './shortcut_list.css';
 
 const SIGNS: Readonly<Record<string, string>> = {
@@ -57,7 +57,7 @@ export function ShortcutList({ close }: { close: () => void }) {
         <button type="submit">Close</button>
       </form>
       <div class="groups">
-        {[...groupsOf(shortcuts.value)].map(([group, members]) => (
+        {[...groupsOf(listed.value)].map(([group, members]) => (
           <section key={group}>
             <h3>{group}</h3>
             <table>

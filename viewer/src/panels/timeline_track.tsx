@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The bar of the timeline: where the clock stands, the stretch that is played over and over, and when the feet of the
 // first clip stand. Drag to scrub; drag with Shift held down to choose a stretch.
-import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import type { RefObject } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import * as playback from '../state/playback';
 import { duration, frameRange, frameRate, isPlaying, loop, seek, time } from '../state/playback';
 import { actors } from '../state/stage';
 import { tickName, ticksOf, written } from '../state/ticks';
+import { useLive } from '../ui/use_live';
 
 /** Where an element will be. */
 type Place = RefObject<HTMLDivElement | null>;
@@ -144,7 +145,7 @@ function useDragging(bar: Place) {
 
 /** Moves the mark and tells assistive technology, without making anything again. While it plays only the mark moves. */
 function useClock(bar: Place, mark: Place): void {
-  useSignalEffect(() => {
+  useLive(() => {
     const share = duration.value > 0 ? time.value / duration.value : 0;
     mark.current!.style.transform = `translateX(${100 * share}%)`;
     if (isPlaying.value) return;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Play, step, speed, and the time as numbers that can be typed. What changes with every frame is written straight into
 // the page, so that nothing else is made again.
-import { useSignalEffect } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import * as playback from '../state/playback';
 import { duration, frameRange, frameRate, isPlaying, loop, repeats, seek, speed, time } from '../state/playback';
 import { actors } from '../state/stage';
 import { readSeconds, written } from '../state/ticks';
 import { Icon, type IconName } from '../ui/icon';
+import { useLive } from '../ui/use_live';
 
 interface ActionProps {
   icon: IconName;
@@ -45,7 +45,7 @@ interface ReadoutProps {
 /** A number that follows the clock until a person types another. */
 function Readout({ label, text, take }: ReadoutProps) {
   const input = useRef<HTMLInputElement>(null);
-  useSignalEffect(() => {
+  useLive(() => {
     const now = text();
     if (input.current && document.activeElement !== input.current) input.current.value = now;
   });

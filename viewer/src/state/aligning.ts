@@ -12,7 +12,8 @@ import { type Actor, alignments } from './stage';
 export type Aligning =
   | { state: 'waiting' }
   | { state: 'done'; alignment: Alignment }
-  | { state: 'refused'; problem: Problem };
+  | { state: 'refused'; problem: Problem }
+  | { state: 'unanswered' };
 
 /** By clip id, for the clips on the stage other than the reference. */
 export const alignings = signal<ReadonlyMap<string, Aligning>>(new Map());
@@ -42,7 +43,10 @@ async function ask(reference: string, clip: string): Promise<Aligning> {
   try {
     return { state: 'done', alignment: await source.value!.alignment(reference, clip) };
   } catch (error) {
-    if (error instanceof SourceError && error.isUnanswered) asked.delete(`${reference} ${clip}`);
+    if (error instanceof SourceError && error.isUnanswered) {
+      asked.delete(`${reference} ${clip}`);
+      return { state: 'unanswered' };
+    }
     return { state: 'refused', problem: problemOf(error) };
   }
 }

@@ -36,6 +36,11 @@ export function isOpen(column: 'files' | 'controls'): boolean {
   return (column === 'files' ? showsFiles : showsControls).value;
 }
 
+/** Takes away what lies over the stage of a narrow screen. */
+export function closeOverlay(): void {
+  overlay.value = null;
+}
+
 /** Opens a column or closes it. */
 export function toggle(column: 'files' | 'controls'): void {
   const shows = column === 'files' ? showsFiles : showsControls;

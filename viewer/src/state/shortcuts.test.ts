@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { handleKey, type KeyPress, nameOf, registerShortcut, shortcuts } from './shortcuts';
+import { handleKey, type KeyPress, listed, nameOf, registerShortcut, shortcuts } from './shortcuts';
 
 function press(key: string, more: Partial<KeyPress> = {}): KeyPress {
   const none = { ctrlKey: false, altKey: false, metaKey: false, shiftKey: false, defaultPrevented: false };
@@ -63,6 +63,15 @@ describe('shortcuts', () => {
     handleKey(press('Enter'));
     expect(general).toHaveBeenCalledOnce();
     expect(special).not.toHaveBeenCalled();
+  });
+
+  it('are listed without the keys that others took over for good', () => {
+    register(['Space', 'k']);
+    register('1');
+    register('Space');
+    register('K', () => false);
+    register('1');
+    expect(listed.value.map((shortcut) => shortcut.keys)).toEqual([['k'], ['Space'], ['K'], ['1']]);
   });
 
   it('are off while a person types', () => {

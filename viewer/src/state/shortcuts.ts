@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page's keys. Parts register theirs while they are on the page; the list under `?` shows what is registered, so that
 // it cannot tell of a key that does nothing.
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 
 export interface Shortcut {
   /** One or several ways to press it: a key by its name in KeyboardEvent.key ("Space" for a blank), with "Ctrl+" (or the
@@ -42,6 +42,16 @@ export function registerShortcut(shortcut: Shortcut): () => void {
 export function keysOf(shortcut: Shortcut): readonly string[] {
   return typeof shortcut.keys === 'string' ? [shortcut.keys] : shortcut.keys;
 }
+
+/** What the keys do, for a list: without those that another one has taken over for good. */
+export const listed = computed<readonly Shortcut[]>(() =>
+  shortcuts.value.flatMap((shortcut, i) => {
+    const later = shortcuts.value.slice(i + 1).filter((other) => other.when === undefined);
+    const taken = new Set(later.flatMap(keysOf).map(normal));
+    const keys = keysOf(shortcut).filter((key) => !taken.has(normal(key)));
+    return keys.length > 0 ? [{ ...shortcut, keys }] : [];
+  }),
+);
 
 /** How a key press is written in Shortcut.keys. */
 export function nameOf(press: KeyPress): string {

@@ -204,7 +204,8 @@ describe('the page', () => {
     const list = page.getByRole('dialog');
     for (const group of ['Page', 'Playback', 'Compare', 'View']) await list.getByText(group, { exact: true }).waitFor();
     await page.keyboard.press('Escape');
-    await list.waitFor({ state: 'detached' });
+    // By what it is: for assistive technology it is gone before the page has noticed.
+    await page.locator('dialog').waitFor({ state: 'detached' });
     expect(await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))).toBe('Keyboard shortcuts');
     await page.keyboard.press('?');
     await list.waitFor();
