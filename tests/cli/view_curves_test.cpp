@@ -84,7 +84,9 @@ TEST_F(ViewCurves, OfSlideIsTheClipsSlide) {
   ASSERT_EQ(both.size(), 2 * right.size());
   for (std::size_t i = 0; i < right.size(); ++i) {
     EXPECT_EQ(std::isnan(both[2 * i + 1]), std::isnan(right[i])) << i;
-    if (!std::isnan(right[i])) EXPECT_EQ(both[2 * i + 1], right[i]) << i;
+    if (!std::isnan(right[i])) {
+      EXPECT_EQ(both[2 * i + 1], right[i]) << i;
+    }
   }
   EXPECT_TRUE(std::any_of(right.begin(), right.end(), [](float x) { return std::isnan(x); }));
   EXPECT_FALSE(std::all_of(right.begin(), right.end(), [](float x) { return std::isnan(x); }));
