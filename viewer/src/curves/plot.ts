@@ -3,7 +3,7 @@
 // elements of its own, so that nothing is drawn again for it.
 import 'uplot/dist/uPlot.min.css';
 import uPlot from 'uplot';
-import { dashOf } from '../state/looks';
+import { colourOf, dashOf } from '../state/looks';
 import type { Line } from './lines';
 
 /** Room beside the lines, the same in all charts so that moments lie above each other [px]; as in curves.css. */
@@ -49,7 +49,7 @@ function series({ place, lines }: PlotSettings): uPlot.Series[] {
   return lines.map(({ actor }) => {
     const dash = dashOf(actor.colour);
     return {
-      stroke: colour(`var(--clip-${actor.colour % 6})`, place),
+      stroke: colour(colourOf(actor.colour), place),
       width: 1.8,
       points: { show: false },
       ...(dash.length > 0 && { dash: [...dash] }),
@@ -62,6 +62,7 @@ function options(settings: PlotSettings): uPlot.Options {
   return {
     width,
     height,
+    pxAlign: false, // slow slopes are no stairs
     padding: [6, RIGHT_EDGE, settings.hasTimeAxis ? 0 : 6, 0],
     legend: { show: false },
     cursor: {

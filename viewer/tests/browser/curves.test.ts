@@ -49,8 +49,11 @@ describe('curves', () => {
 
   it('are found by words, added and taken away', async () => {
     const sought = page.getByLabel('Find curves');
-    await sought.fill('knee rotation x');
+    await sought.fill('X rotation');
     const found = page.locator('.picker input[type=checkbox]');
+    await page.waitForFunction(() =>
+      document.querySelector('.picker input[type=checkbox]')?.getAttribute('data-curve')?.endsWith('rotation/x'),
+    );
     const count = await found.count();
     expect(count).toBeGreaterThan(0);
     const name = await found.first().getAttribute('data-curve');
@@ -79,7 +82,7 @@ describe('curves', () => {
   });
 
   it('zoom where one drags, and out by a double click', async () => {
-    const width = () => page.locator('.plant-strip svg').first().getAttribute('viewBox');
+    const width = () => page.locator('.plant-strip .bars svg').first().getAttribute('viewBox');
     const all = await width();
     await page.mouse.move(...(await middleOf('Whole body', 0.25)));
     await page.mouse.down();
