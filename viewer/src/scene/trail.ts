@@ -65,12 +65,15 @@ export class Trail {
   ) {
     const dashes = dashesOf(colour);
     const { positions, frames: moments } = trailPath(clip, point, ...frames);
-    const lines = new LineMaterial({ linewidth: WIDTH, dashed: dashes[1] > 0, transparent: true });
+    // A whole line is dashed too, with gaps of nothing: without the round ends that show where pieces meet.
+    const lines = new LineMaterial({ linewidth: WIDTH, dashed: true, transparent: true });
     this.material = withMoments(lines, dashes);
     this.material.depthWrite = false;
     const ball = new THREE.SphereGeometry(1, 20, 14);
     this.mark = new THREE.Mesh(ball, new THREE.MeshBasicMaterial());
     this.halo = new THREE.Mesh(ball, new THREE.MeshBasicMaterial({ side: THREE.BackSide }));
+    this.mark.scale.setScalar(MARK);
+    this.halo.scale.setScalar(MARK * 1.35);
     this.object.add(this.mark, this.halo);
     if (moments.length < 2) return;
     this.geometry.setPositions(positions);
@@ -95,9 +98,8 @@ export class Trail {
     now!.value = frame;
     fades!.value = seconds === null ? 0 : 1;
     const at = 3 * this.point;
-    for (const ball of [this.mark, this.halo]) ball.position.set(pose[at]!, pose[at + 1]!, pose[at + 2]!);
-    this.mark.scale.setScalar(MARK);
-    this.halo.scale.setScalar(MARK * 1.35);
+    this.mark.position.set(pose[at]!, pose[at + 1]!, pose[at + 2]!);
+    this.halo.position.copy(this.mark.position);
   }
 
   dispose(): void {
