@@ -28,7 +28,11 @@ afterAll(async () => {
 
 beforeEach(async () => {
   ({ page, errors } = await openPage(browser, view.address));
-  await page.getByRole('tab', { name: 'Translate' }).or(page.getByRole('button', { name: 'Translate' })).first().click();
+  await page
+    .getByRole('tab', { name: 'Translate' })
+    .or(page.getByRole('button', { name: 'Translate' }))
+    .first()
+    .click();
   await output(page);
   return async () => {
     expect(errors).toEqual([]);
