@@ -54,7 +54,7 @@ class ViewTranslate : public testing::Test {
     all.update(controls);
     return all;
   }
-  [[nodiscard]] ViewContainer translated(const json& controls) const {
+  [[nodiscard]] ViewContainer translated(const json& controls = json::object()) const {
     const ViewAnswer answer = session_->post("translate", request(controls));
     EXPECT_EQ(answer.status, 200) << answer.body;
     return answer.status == 200 ? read_container(answer.body) : ViewContainer{};
@@ -72,7 +72,9 @@ class ViewTranslate : public testing::Test {
   std::unique_ptr<ViewSession> session_;
 };
 
-const json kBlend{{{"id", "m0"}}, {{"id", "m1"}, {"share", 0.3}}};
+json blend() {
+  return {{{"id", "m0"}}, {{"id", "m1"}, {"share", 0.3}}};
+}
 
 TEST_F(ViewTranslate, SavesTheBytesThatTheCommandWrites) {
   const std::string blend = here_.file("copy.strut") + "=0.3";
@@ -85,7 +87,7 @@ TEST_F(ViewTranslate, SavesTheBytesThatTheCommandWrites) {
            {{{"confidence", 0.8}, {"preference", 3.5}, {"warmUp", 1}},
             {"--confidence", "0.8", "--preference", "3.5", "--warm-up", "1"}},
            {{{"cleanFeet", false}, {"keepLayout", true}}, {"--no-clean-feet", "--keep-layout"}},
-           {{{"models", kBlend}}, {"--blend", blend}}}) {
+           {{{"models", blend()}}, {"--blend", blend}}}) {
     const ViewAnswer answer = session_->post("translate/bvh", request(controls));
     ASSERT_EQ(answer.status, 200) << answer.body;
     EXPECT_EQ(answer.body, written(options)) << controls;
@@ -94,7 +96,7 @@ TEST_F(ViewTranslate, SavesTheBytesThatTheCommandWrites) {
 }
 
 TEST_F(ViewTranslate, SaysTheCommandThatDoesTheSame) {
-  const json controls{{"strength", 1.0 / 3}, {"left_leg", 0.5}, {"cleanFeet", false}, {"models", kBlend}};
+  const json controls{{"strength", 1.0 / 3}, {"left_leg", 0.5}, {"cleanFeet", false}, {"models", blend()}};
   const json answer = session_->post("translate/command", request(controls)).json();
   EXPECT_EQ(answer.at("saveAs"), "walk_style_copy.bvh");
   EXPECT_EQ(answer.at("command"), "strut translate " + here_.file("style.strut") + " " + here_.file("walk.bvh") +
@@ -106,19 +108,15 @@ TEST_F(ViewTranslate, SaysTheCommandThatDoesTheSame) {
 }
 
 TEST_F(ViewTranslate, EveryControlTakesEffect) {
-  const std::vector<float> usual = translated({}).arrays.at("positions");
-  std::vector<json> changes{{{"strength", 0.5}}, {{"pose", 0.5}},        {{"movement", 0.5}},  {{"confidence", 0.2}},
-                            {{"retime", false}}, {{"cleanFeet", false}}, {{"models", kBlend}}, {{"keepLayout", true}}};
+  const std::vector<float> usual = translated().arrays.at("positions");
+  std::vector<json> changes{{{"strength", 0.5}},   {{"pose", 0.5}},     {{"movement", 0.5}},   {{"models", blend()}},
+                            {{"confidence", 0.2}}, {{"retime", false}}, {{"cleanFeet", false}}};
   for (const char* part : motion::kBodyPartNames) changes.push_back({{part, 0.5}});
-  changes.pop_back();
-  for (const json& change : changes) {
-    if (change.contains("keepLayout")) continue;  // this file's channels hold what the default ones do
-    EXPECT_NE(translated(change).arrays.at("positions"), usual) << change;
-  }
+  for (const json& change : changes) EXPECT_NE(translated(change).arrays.at("positions"), usual) << change;
 }
 
 TEST_F(ViewTranslate, TellsTheMomentsWhereTheStyleRetimes) {
-  const ViewContainer slow = translated({});
+  const ViewContainer slow = translated();
   const std::vector<float>& moments = slow.arrays.at("moments");
   ASSERT_EQ(moments.size(), static_cast<std::size_t>(walk_.num_frames()));
   EXPECT_NEAR(moments[20], 25.0, 0.01);  // 20 frames that each last a quarter longer
@@ -126,8 +124,15 @@ TEST_F(ViewTranslate, TellsTheMomentsWhereTheStyleRetimes) {
   EXPECT_EQ(translated({{"retime", false}}).arrays.count("moments"), 0U);
 }
 
-TEST_F(ViewTranslate, GivesEveryResultAnIdOfItsOwn) {
-  EXPECT_NE(translated({}).header.at("id"), translated({}).header.at("id"));
+TEST_F(ViewTranslate, GivesEveryResultAnIdUnderWhichItsCurvesAreFound) {
+  const std::string first = translated().header.at("id");
+  const ViewContainer second = translated({{"strength", 0.5}});
+  EXPECT_NE(second.header.at("id"), first);
+  const std::string name = second.header.at("curves").back().at("name");
+  for (const std::string& id : {first, second.header.at("id").get<std::string>()}) {
+    EXPECT_EQ(session_->get("clips/" + id + "/curve?name=" + name).status, 200);
+  }
+  EXPECT_THAT(session_->get("clips/made-99/curve?name=" + name).problem(), HasSubstr("no file 'made-99'"));
 }
 
 TEST_F(ViewTranslate, TellsWhatModelsAreAndWhatControlsMayBe) {

@@ -41,7 +41,7 @@ export function TranslateOutput() {
     );
   };
   return (
-    <section class="part">
+    <section class="part translate-output">
       <h2>Result</h2>
       <div class="row">
         <button type="button" class="primary" disabled={!result.value} onClick={() => void save()}>
