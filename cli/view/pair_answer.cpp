@@ -121,7 +121,10 @@ Json pair_alignment_answer(const ViewStretch& input, const ViewStretch& output, 
   warn_if_short(output, warnings);
   const AlignClip reference = cut(input);
   const Alignment alignment = align_clips(reference, cut(output), options, notes);
-  warnings.append(alignment.warnings);
+  // Their hints are of strut align's options, which a pair does not have.
+  for (const Diagnostic& doubt : alignment.warnings.entries()) {
+    warnings.warn(doubt.where, doubt.message, "cut the pair anew, or reject it if the two are not the same content");
+  }
   // The output may have been resampled to the input's rate.
   const double scale = rate_of(output) / rate_of(input);
   Json moments = Json::array();

@@ -53,7 +53,7 @@ function Facts({ pair }: { pair: Pair }) {
           .map(({ name, unit, input, output }) => (
             <tr key={name} class={isCut(pair) ? 'of-before' : ''}>
               <th>
-                {isCut(pair) ? 'proposed: ' : ''}
+                {isCut(pair) ? 'was: ' : ''}
                 {name} [{unit === 'degrees' ? '°' : unit}]
               </th>
               <td class="number">{input}</td>
@@ -62,7 +62,7 @@ function Facts({ pair }: { pair: Pair }) {
           ))}
         {distance !== null && (
           <tr class={isCut(pair) ? 'of-before' : ''}>
-            <th>{isCut(pair) ? 'proposed: ' : ''}distance</th>
+            <th>{isCut(pair) ? 'was: ' : ''}distance</th>
             <td class="number" colSpan={2}>
               {distance.toFixed(2)}
             </td>
