@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program that serves the page. Every address begins with the page's own, which holds the token.
 import { Clip } from './clip';
+import { isGone } from './connection';
 import { type Container, readContainer } from './container';
 import { type Alignment, type Source, SourceError } from './source';
 import type { AlignmentHeader, ClipHeader, Problem, SessionInfo } from './types';
@@ -15,9 +16,12 @@ export async function request(path: string, init: RequestInit = {}): Promise<Res
   let answer: Response;
   try {
     answer = await fetch(`api/${path}`, init);
-  } catch {
-    throw new SourceError(GONE);
+  } catch (error) {
+    if (init.signal?.aborted) throw error;
+    isGone.value = true;
+    throw new SourceError(GONE, true);
   }
+  isGone.value = false;
   if (answer.ok) return answer;
   const text = await answer.text();
   try {

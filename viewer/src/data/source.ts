@@ -20,8 +20,11 @@ export interface Source {
 /** What the program refused, in its own words. */
 export class SourceError extends Error {
   readonly problem: Problem;
-  constructor(problem: Problem) {
+  /** It did not answer at all: not the question's fault. */
+  readonly isUnanswered: boolean;
+  constructor(problem: Problem, isUnanswered = false) {
     super(problem.message);
     this.problem = problem;
+    this.isUnanswered = isUnanswered;
   }
 }

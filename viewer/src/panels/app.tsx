@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The page: modes at the top, files and the mode's controls at the sides, the view in the middle, the timeline below.
 import { useSignalEffect } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import type { Source } from '../data/source';
-import { startScene } from '../scene/scene';
 import { clips, failure, type Mode, mode, open, session } from '../state/session';
+import { listenToKeys } from '../state/shortcuts';
 import { actors } from '../state/stage';
 import { ProblemNote } from '../ui/problem_note';
 import { FileList } from './file_list';
 import { LabelPanel } from './label_panel';
 import { PairsPanel } from './pairs_panel';
+import { Stage } from './stage';
 import { Timeline } from './timeline';
 import { TranslatePanel } from './translate_panel';
+import './app.css';
 
 const MODES: readonly { mode: Mode; title: string; needs: string | null }[] = [
   { mode: 'compare', title: 'Compare', needs: null },
@@ -19,12 +21,6 @@ const MODES: readonly { mode: Mode; title: string; needs: string | null }[] = [
   { mode: 'pairs', title: 'Pairs', needs: 'pairs' },
   { mode: 'label', title: 'Label', needs: 'database' },
 ];
-
-function Stage() {
-  const place = useRef<HTMLDivElement>(null);
-  useEffect(() => startScene(place.current!), []);
-  return <div class="stage" ref={place} />;
-}
 
 /** Compare: every clip is on the stage. */
 function ComparePanel() {
@@ -70,6 +66,7 @@ function ModeTabs() {
 
 export function App({ source }: { source: Source }) {
   useEffect(() => void open(source), [source]);
+  useEffect(() => listenToKeys(document), []);
   return (
     <div class="page">
       <header>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import './timeline.css';
 import { duration, isPlaying, seek, time } from '../state/playback';
 
 /** Play, pause and scrub. */
