@@ -228,7 +228,7 @@ double picture_begin(const DemoClip& clip) {
 
 std::string in_words(const std::optional<double>& value) {
   if (!value) return "-";
-  return fmt::format("{:.{}f}", *value, std::abs(*value) < 10.0 ? 2 : 1);
+  return fmt::format("{:.{}f}", *value, std::abs(*value) < 9.995 ? 2 : 1);
 }
 
 void print_figures(const std::vector<ReportClip>& clips) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+import { colourOf, dashOf } from '../state/looks';
 import { isPlaying, seek } from '../state/playback';
-import { actors } from '../state/stage';
+import { type Actor, actors } from '../state/stage';
 import { type FigureCell, type FigureRow, figureRows, type Mark, momentOf, shown } from './figure_rows';
 import './figures.css';
 
@@ -22,51 +23,66 @@ function ExtremeLink({ actor, figure }: FigureCell) {
   );
 }
 
-function Cell(cell: FigureCell) {
-  const { actor, figure, mark } = cell;
+function Cell({ cell }: { cell: FigureCell | null }) {
+  if (!cell) return <td>–</td>;
+  const { figure, mark } = cell;
   return (
-    <tr>
-      <th scope="row" class={`clip clip-${actor.colour % 6}`}>
-        {actor.title}
-      </th>
-      <td>
-        {figure.value === null ? '–' : shown(figure.value)}
-        {mark && <span class={mark}> {MARKS[mark]}</span>}
-        <ExtremeLink {...cell} />
-        {figure.note && <p class="note">{figure.note}</p>}
-      </td>
-    </tr>
+    <td>
+      {figure.value === null ? '–' : shown(figure.value)}
+      {mark && <span class={mark}> {MARKS[mark]}</span>}
+      {figure.note && <span class="note"> {figure.note}</span>}
+      <ExtremeLink {...cell} />
+    </td>
   );
 }
 
 function Row({ name, unit, better, cells }: FigureRow) {
   return (
-    <tbody>
-      <tr>
-        <th scope="rowgroup" colSpan={2}>
-          {name}
-          {unit && ` [${unit}]`}
-          {better && cells.length > 1 && <span class="better"> {better} is better</span>}
-        </th>
-      </tr>
-      {cells.map((cell) => (
-        <Cell key={cell.actor.clip.id} {...cell} />
+    <tr>
+      <th scope="row">
+        {name}
+        {unit && ` [${unit}]`}
+        {better && cells.length > 1 && <span class="note"> {better} is better</span>}
+      </th>
+      {cells.map((cell, i) => (
+        <Cell key={actors.value[i]!.clip.id} cell={cell} />
       ))}
-    </tbody>
+    </tr>
   );
 }
 
-/** What was measured of the clips on the stage, figure by figure. */
+function ClipHeading({ actor }: { actor: Actor }) {
+  const line = { stroke: colourOf(actor.colour), 'stroke-dasharray': dashOf(actor.colour).join(' ') };
+  return (
+    <th scope="col">
+      <svg class="line" width="28" height="8" aria-hidden="true">
+        <line x1="0" y1="4" x2="28" y2="4" stroke-width="3" {...line} />
+      </svg>
+      {actor.title}
+    </th>
+  );
+}
+
+/** What was measured of the clips on the stage: a row per figure, a column per clip. */
 export function Figures() {
   const rows = figureRows(actors.value);
   if (rows.length === 0) return null;
   return (
-    <section class="figures">
-      <h2>Figures</h2>
+    <section class="figures" aria-label="Figures">
       <table>
-        {rows.map((row) => (
-          <Row key={row.name} {...row} />
-        ))}
+        <thead>
+          <tr>
+            <th scope="col">Figure</th>
+            {actors.value.map((actor) => (
+              <ClipHeading key={actor.clip.id} actor={actor} />
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row) => (
+            <Row key={row.name} {...row} />
+          ))}
+        </tbody>
       </table>
     </section>
   );
