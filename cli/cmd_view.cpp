@@ -18,6 +18,7 @@ namespace {
 struct ViewArguments {
   std::vector<std::string> files;
   int port = 0;
+  bool no_browser = false;
 };
 
 void run(const ViewArguments& arguments) {
@@ -38,6 +39,7 @@ void add_view(CLI::App& app) {
       ->required();
   command->add_option("--port", arguments->port, "Port of 127.0.0.1 to serve on (default: any that is free)")
       ->check(number_in(0, 65535));
+  command->add_flag("--no-browser", arguments->no_browser, "Only print the address");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -2,6 +2,7 @@
 #include "view/clip_answer.h"
 
 #include "clip_figures.h"
+#include "view/curve_answer.h"
 #include "view/workspace.h"
 
 #include <array>
@@ -97,12 +98,14 @@ Container clip_answer(const std::string& id, const std::string& name, const Moti
                        {"pelvis", motion.skeleton().pelvis()},
                        {"plants", plants},
                        {"figures", as_json(clip_figures(motion, found))},
-                       {"curves", Json::array()},
+                       {"curves", curves_of(motion)},
                        {"notes", as_json(notes)}});
-  if (packing == Packing::kSmall && motion.num_frames() > 0) {
-    add_packed(container, positions_of(motion), motion);
-  } else {
+  if (packing == Packing::kExact || motion.num_frames() == 0) {
     container.add("positions", positions_of(motion));
+    container.add("slide", slide_of(motion, found));
+  } else {
+    add_packed(container, positions_of(motion), motion);
+    container.add_rounded("slide", slide_of(motion, found));
   }
   return container;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "view/clip_answer.h"
+#include "view/curve_answer.h"
 #include "view/routes.h"
 
 #include <array>
@@ -31,6 +32,10 @@ void add_clip_routes(PageServer& server, Workspace& workspace) {
   server.on_get("clips/([^/]+)", [&](const Question& question) {
     const auto clip = workspace.clip(question.part(1));
     return Reply{clip_answer(clip->file.id, clip->file.name, clip->bvh.motion, clip->notes).bytes(), kBytes};
+  });
+  server.on_get("clips/([^/]+)/curve", [&](const Question& question) {
+    const auto clip = workspace.clip(question.part(1));
+    return Reply{curve_answer(clip->bvh.motion, question.parameter("name")).bytes(), kBytes};
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -68,14 +69,22 @@ std::pair<Eigen::Index, Eigen::Index> rows_of(const motion::Footplant& plant, co
           std::min<Eigen::Index>(track.num_frames(), static_cast<Eigen::Index>(last) + 1)};
 }
 
-/// How far the foot's slower end moves over the ground in the rows [begin, end) [m].
+/// How far the foot's slower end moves over the ground from `row` to the next [m].
+double slide_after(const BodyTrack& track, std::size_t side, Eigen::Index row) {
+  return std::min(ground_distance(track.ankles_world[side], row, row + 1),
+                  ground_distance(track.toes_world[side], row, row + 1));
+}
+
+/// The same in the rows [begin, end) together.
 double slide_between(const BodyTrack& track, std::size_t side, Eigen::Index begin, Eigen::Index end) {
   double slid = 0.0;
-  for (Eigen::Index row = begin; row + 1 < end; ++row) {
-    slid += std::min(ground_distance(track.ankles_world[side], row, row + 1),
-                     ground_distance(track.toes_world[side], row, row + 1));
-  }
+  for (Eigen::Index row = begin; row + 1 < end; ++row) slid += slide_after(track, side, row);
   return slid;
+}
+
+std::size_t side_of(int foot) {
+  if (foot != 0 && foot != 1) throw InvalidArgument("foot", "0 (left) or 1 (right)", std::to_string(foot));
+  return static_cast<std::size_t>(foot);
 }
 
 }  // namespace
@@ -106,6 +115,25 @@ FootSlide foot_slide(const BodyTrack& track, const std::vector<motion::Footplant
     duration += seconds;
   }
   return with_worst(duration > 0.0 ? length / duration : 0.0, slides);
+}
+
+Curve foot_slide_curve(const BodyTrack& track, const std::vector<motion::Footplant>& plants, int foot) {
+  const std::size_t side = side_of(foot);
+  if (track.num_frames() < 2) throw InvalidArgument("track", "at least two frames", "fewer");
+  Curve curve{track.rate, 0.5 / track.rate, Eigen::VectorXd(track.num_frames() - 1)};
+  curve.values.setConstant(std::numeric_limits<double>::quiet_NaN());
+  for (const motion::Footplant& plant : plants) {
+    check(plant, track);
+    if (plant.foot != foot) continue;
+    const auto [begin, end] = rows_of(plant, track);
+    for (Eigen::Index row = begin; row + 1 < end; ++row) curve.values[row] = slide_after(track, side, row) * track.rate;
+  }
+  return curve;
+}
+
+Curve foot_height_curve(const BodyTrack& track, int foot) {
+  const std::size_t side = side_of(foot);
+  return {track.rate, 0.0, track.ankles_world[side].col(1).cwiseMin(track.toes_world[side].col(1))};
 }
 
 }  // namespace strut::metrics

@@ -58,18 +58,23 @@ void find_longest_step(const BodyTrack& track, const std::vector<Change>& change
 }
 
 void find_fastest(const BodyTrack& track, Gait& gait) {
-  const Eigen::VectorXd speed = ground_speed(track.hips_world, track.rate);
+  const Eigen::VectorXd speed = ground_speed_curve(track).values;
   const Eigen::Index span = std::clamp<Eigen::Index>(std::lround(kSpeedSeconds * track.rate), 1, speed.size());
   Eigen::Index where = 0;
   gait.top_speed = moving_mean(speed, span).maxCoeff(&where);
   gait.fastest = track.place(-1, static_cast<double>(where) + 0.5 * static_cast<double>(span - 1));
 }
 
+void require_two_frames(const BodyTrack& track) {
+  if (track.num_frames() >= 2) return;
+  throw InvalidArgument("track", "at least two frames", std::to_string(track.num_frames()));
+}
+
 }  // namespace
 
 Gait gait(const BodyTrack& track) {
+  require_two_frames(track);
   const Eigen::Index frames = track.num_frames();
-  if (frames < 2) throw InvalidArgument("track", "at least two frames", std::to_string(frames));
   Gait gait;
   gait.travel = ground_path(track.hips_world);
   find_fastest(track, gait);
@@ -81,6 +86,16 @@ Gait gait(const BodyTrack& track) {
   gait.cadence = static_cast<double>(changes.size()) / seconds;
   find_longest_step(track, changes, gait);
   return gait;
+}
+
+Curve ground_speed_curve(const BodyTrack& track) {
+  require_two_frames(track);
+  return {track.rate, 0.0, ground_speed(track.hips_world, track.rate)};
+}
+
+Curve turn_rate_curve(const BodyTrack& track) {
+  require_two_frames(track);
+  return {track.rate, 0.0, rate_of_change(track.heading, track.rate)};
 }
 
 }  // namespace strut::metrics

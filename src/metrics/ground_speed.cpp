@@ -19,6 +19,16 @@ Eigen::VectorXd ground_speed(const Eigen::Ref<const FrameMatrix>& path, double r
   return speed;
 }
 
+Eigen::VectorXd rate_of_change(const Eigen::VectorXd& values, double rate) {
+  Eigen::VectorXd change(values.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0);
+    const Eigen::Index after = std::min(i + 1, values.size() - 1);
+    change[i] = (values[after] - values[before]) * rate / static_cast<double>(after - before);
+  }
+  return change;
+}
+
 double ground_path(const Eigen::Ref<const FrameMatrix>& path) {
   double length = 0.0;
   for (Eigen::Index i = 1; i < path.rows(); ++i) length += ground_distance(path, i - 1, i);

@@ -15,6 +15,9 @@ double ground_distance(const Eigen::Ref<const FrameMatrix>& path, Eigen::Index f
 /// [m/s] (T), T >= 2.
 Eigen::VectorXd ground_speed(const Eigen::Ref<const FrameMatrix>& path, double rate);
 
+/// How fast values sampled at `rate` change, by the same differences. [their unit/s] (T), T >= 2.
+Eigen::VectorXd rate_of_change(const Eigen::VectorXd& values, double rate);
+
 /// Length of a path's projection on the ground [m].
 double ground_path(const Eigen::Ref<const FrameMatrix>& path);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <strut/metrics/body_track.h>
+#include <strut/metrics/curve.h>
 #include <strut/motion/annotation.h>
 
 namespace strut::metrics {
@@ -27,5 +28,15 @@ FootSlide foot_slide(const BodyTrack& track);
 /// left, 1 = right; speed 0 and joint -1 if none covers two frames of the track. Throws InvalidArgument if a plant
 /// names another foot or lies outside the clip. Cost O(frames).
 FootSlide foot_slide(const BodyTrack& track, const std::vector<motion::Footplant>& plants);
+
+/// The slide of one foot while planted, over time: the speed over the ground of its slower end between the track's rows
+/// [m/s] (rows - 1), NaN where the foot is not planted. Over both feet the mean of what there is is foot_slide's speed,
+/// if the plants of a foot do not overlap. `foot` and `plants` as above; throws alike, and for fewer than two rows.
+/// Cost O(frames).
+Curve foot_slide_curve(const BodyTrack& track, const std::vector<motion::Footplant>& plants, int foot);
+
+/// The height of the foot's lower end, ankle or toe, above the ground (y = 0) at each of the track's rows [m]. Throws
+/// InvalidArgument if `foot` is neither 0 (left) nor 1 (right). Cost O(frames).
+Curve foot_height_curve(const BodyTrack& track, int foot);
 
 }  // namespace strut::metrics

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <strut/metrics/body_track.h>
+#include <strut/metrics/curve.h>
 
 namespace strut::metrics {
 
@@ -22,5 +23,13 @@ struct Gait {
 /// Speed and cadence are 0 where the hips travel less than half a metre. Throws InvalidArgument for fewer than two
 /// frames. Cost O(frames).
 Gait gait(const BodyTrack& track);
+
+/// Speed of the hips over the ground at each of the track's rows [m/s]: central differences, one-sided at the ends.
+/// Throws InvalidArgument for fewer than two frames. Cost O(frames).
+Curve ground_speed_curve(const BodyTrack& track);
+
+/// How fast the heading turns at each of the track's rows, to the body's left positive [rad/s]; differences and errors
+/// as above.
+Curve turn_rate_curve(const BodyTrack& track);
 
 }  // namespace strut::metrics

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <strut/metrics/body_track.h>
+#include <strut/metrics/curve.h>
 
 namespace strut::metrics {
 
@@ -20,5 +21,18 @@ struct Smoothness {
 /// clip's own rate (a bad frame must not be skipped).
 /// Throws InvalidArgument if the motion has fewer than four frames at either rate, or no legs. Cost O(frames x joints).
 Smoothness smoothness(const Motion& motion);
+
+/// All joints of the track together, where a curve of one joint could be asked for.
+inline constexpr int kAllJoints = -1;
+
+/// Jerk over time: the mean over the axes, and the joints if it is kAllJoints, of the absolute third difference [m/s^3]
+/// (rows - 3), each at the middle of its four rows. Of a track at the clip's measuring rate, the mean of the curve of
+/// all joints is Smoothness::jerk. `joint`: an index in the skeleton. Throws InvalidArgument if the track has fewer
+/// than four rows or not this joint (it is above the pelvis). Cost O(rows), of all joints O(rows x joints).
+Curve jerk_curve(const BodyTrack& track, int joint = kAllJoints);
+
+/// Speed of a joint relative to the hips and the heading, between the track's rows [m/s] (rows - 1). Throws
+/// InvalidArgument if the track has fewer than two rows or not this joint. Cost O(rows).
+Curve joint_speed_curve(const BodyTrack& track, int joint);
 
 }  // namespace strut::metrics
