@@ -1,87 +1,169 @@
 // SPDX-License-Identifier: MIT
-// The page: modes at the top, files and the mode's controls at the sides, the view in the middle, the timeline below.
-import { useSignalEffect } from '@preact/signals';
+// The page: modes at the top, files and the mode's controls at the sides, the view in the middle, the timeline and a
+// drawer of curves below.
+import { useSignal, useSignalEffect } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
 import type { Source } from '../data/source';
-import { clips, failure, type Mode, mode, open, session } from '../state/session';
-import { listenToKeys } from '../state/shortcuts';
-import { actors } from '../state/stage';
-import { ProblemNote } from '../ui/problem_note';
+import { titleOf } from '../state/file_groups';
+import * as layout from '../state/layout';
+import { mode, open, session } from '../state/session';
+import { listenToKeys, type Shortcut } from '../state/shortcuts';
+import { Icon, type IconName } from '../ui/icon';
+import { Splitter } from '../ui/splitter';
+import { useShortcuts } from '../ui/use_shortcuts';
+import { ComparePanel } from './compare_panel';
+import { Curves } from './curves';
+import { FailureBanner } from './failure_banner';
 import { FileList } from './file_list';
 import { LabelPanel } from './label_panel';
+import { ModeTabs } from './mode_tabs';
 import { PairsPanel } from './pairs_panel';
+import { ShortcutList } from './shortcut_list';
 import { Stage } from './stage';
 import { Timeline } from './timeline';
 import { TranslatePanel } from './translate_panel';
 import './app.css';
 
-const MODES: readonly { mode: Mode; title: string; needs: string | null }[] = [
-  { mode: 'compare', title: 'Compare', needs: null },
-  { mode: 'translate', title: 'Translate', needs: 'model' },
-  { mode: 'pairs', title: 'Pairs', needs: 'pairs' },
-  { mode: 'label', title: 'Label', needs: 'database' },
-];
+const PANELS = { compare: ComparePanel, translate: TranslatePanel, pairs: PairsPanel, label: LabelPanel };
 
-/** Compare: every clip is on the stage. */
-function ComparePanel() {
-  useSignalEffect(() => {
-    actors.value = clips.value.map((clip, i) => ({ clip, colour: i, title: clip.name }));
-  });
-  return null;
+function toggleDrawer(): void {
+  layout.showsDrawer.value = !layout.showsDrawer.value;
 }
 
-function ModePanel() {
-  switch (mode.value) {
-    case 'compare':
-      return <ComparePanel />;
-    case 'translate':
-      return <TranslatePanel />;
-    case 'pairs':
-      return <PairsPanel />;
-    case 'label':
-      return <LabelPanel />;
-  }
-}
-
-function ModeTabs() {
-  const kinds = new Set<string>(session.value?.files.map((file) => file.kind));
-  const offered = MODES.filter((entry) => entry.needs === null || kinds.has(entry.needs));
+function Toggle(props: { icon: IconName; label: string; keys: string; isOn: boolean; action: () => void }) {
   return (
-    <nav class="modes">
-      {offered.map((entry) => (
-        <button
-          type="button"
-          key={entry.mode}
-          aria-pressed={mode.value === entry.mode}
-          onClick={() => {
-            mode.value = entry.mode;
-          }}
-        >
-          {entry.title}
-        </button>
-      ))}
-    </nav>
+    <button
+      type="button"
+      class="toggle"
+      aria-pressed={props.isOn}
+      aria-label={props.label}
+      title={`${props.label} (${props.keys})`}
+      onClick={props.action}
+    >
+      <Icon name={props.icon} />
+    </button>
   );
 }
 
-export function App({ source }: { source: Source }) {
-  useEffect(() => void open(source), [source]);
-  useEffect(() => listenToKeys(document), []);
+function Header({ showShortcuts }: { showShortcuts: () => void }) {
+  const isLabelling = mode.value === 'label';
   return (
-    <div class="page">
-      <header>
-        <h1>strut</h1>
-        <ModeTabs />
-      </header>
-      {failure.value && <ProblemNote problem={failure.value} />}
-      <aside class="files">
-        <FileList />
-      </aside>
+    <header>
+      <h1>strut</h1>
+      <ModeTabs />
+      <span class="space" />
+      {!isLabelling && (
+        <>
+          <Toggle
+            icon="left"
+            label="Files"
+            keys="["
+            isOn={layout.isOpen('files')}
+            action={() => layout.toggle('files')}
+          />
+          <Toggle icon="bottom" label="Curves" keys="C" isOn={layout.showsDrawer.value} action={toggleDrawer} />
+        </>
+      )}
+      <Toggle
+        icon="right"
+        label="Controls"
+        keys="]"
+        isOn={layout.isOpen('controls')}
+        action={() => layout.toggle('controls')}
+      />
+      <button type="button" aria-label="Keyboard shortcuts" title="Keyboard shortcuts (?)" onClick={showShortcuts}>
+        ?
+      </button>
+    </header>
+  );
+}
+
+function Column({ name, children }: { name: 'files' | 'controls'; children: ComponentChildren }) {
+  const isFiles = name === 'files';
+  const label = isFiles ? 'Files' : 'Controls';
+  // Closed it stays on the page, since the mode's panel also keeps the stage up to date.
+  return (
+    <aside class={name} aria-label={label} hidden={!layout.isOpen(name)}>
+      <div class="scrolled">{children}</div>
+      <Splitter
+        size={isFiles ? layout.filesWidth : layout.controlsWidth}
+        side={isFiles ? 'right' : 'left'}
+        label={`Width of ${label.toLowerCase()}`}
+        least={160}
+      />
+    </aside>
+  );
+}
+
+function Drawer() {
+  return (
+    <section class="drawer" aria-label="Curves">
+      <Splitter size={layout.drawerHeight} side="top" label="Height of the curves" least={100} />
+      <Curves />
+    </section>
+  );
+}
+
+/** Sizes that a person gave, for app.css. */
+function sizes(): Record<string, string> {
+  const given: readonly (readonly [string, number])[] = [
+    ['--files-width', layout.filesWidth.value],
+    ['--controls-width', layout.controlsWidth.value],
+    ['--drawer-height', layout.drawerHeight.value],
+  ];
+  return Object.fromEntries(given.flatMap(([name, size]) => (size > 0 ? [[name, `${size}px`]] : [])));
+}
+
+/** Keys of the page, and what follows the session and the screen. */
+function usePage(showShortcuts: () => void): void {
+  const entry = (keys: string, description: string, action: () => void): Shortcut => {
+    return { keys, description, group: 'Page', action };
+  };
+  useShortcuts([
+    entry('?', 'Keyboard shortcuts', showShortcuts),
+    entry('[', 'Files, or more room', () => layout.toggle('files')),
+    entry(']', 'Controls, or more room', () => layout.toggle('controls')),
+    entry('c', 'Curves, or more room', toggleDrawer),
+  ]);
+  useEffect(() => listenToKeys(document), []);
+  useEffect(layout.watchWidth, []);
+  useSignalEffect(() => {
+    document.title = session.value?.report?.title ?? titleOf(session.value?.files ?? []);
+  });
+}
+
+export function App({ source }: { source: Source }) {
+  const showsShortcuts = useSignal(false);
+  const showShortcuts = () => {
+    showsShortcuts.value = true;
+  };
+  usePage(showShortcuts);
+  useEffect(() => void open(source), [source]);
+  const Panel = PANELS[mode.value];
+  const isLabelling = mode.value === 'label';
+  return (
+    <div class="page" style={sizes()}>
+      <Header showShortcuts={showShortcuts} />
+      <FailureBanner />
+      {!isLabelling && (
+        <Column name="files">
+          <FileList />
+        </Column>
+      )}
       <Stage />
-      <aside class="controls">
-        <ModePanel />
-      </aside>
+      <Column name="controls">
+        <Panel />
+      </Column>
       <Timeline />
+      {layout.showsDrawer.value && !isLabelling && <Drawer />}
+      {showsShortcuts.value && (
+        <ShortcutList
+          close={() => {
+            showsShortcuts.value = false;
+          }}
+        />
+      )}
     </div>
   );
 }

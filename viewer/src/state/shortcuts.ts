@@ -60,10 +60,7 @@ function normal(keys: string): string {
 const OWN_KEYS: readonly (readonly [selector: string, keys: RegExp])[] = [
   ['textarea, select, [contenteditable], dialog *, dialog', /./],
   ['input:not([type=checkbox], [type=radio], [type=range], [type=button], [type=color])', /./],
-  [
-    'input[type=range], input[type=radio], [role=slider], [role=separator], [role=tab]',
-    /^(Shift\+)?(Arrow|Home|End|Page)/,
-  ],
+  ['input[type=range], input[type=radio]', /^(Shift\+)?(Arrow|Home|End|Page)/],
   [
     'button, a, summary, input[type=checkbox], input[type=radio], input[type=button], input[type=color]',
     /^(Space|Enter)$/,
