@@ -25,7 +25,10 @@ std::optional<std::vector<motion::Footplant>> plants_of(const AlignClip& clip, c
 }
 
 AlignClip read_align_clip(const std::string& path, Diagnostics& diagnostics) {
-  Motion motion = read_bvh(path, {}, &diagnostics).motion;
+  return align_clip(path, read_bvh(path, {}, &diagnostics).motion);
+}
+
+AlignClip align_clip(const std::string& path, Motion motion) {
   if (motion.num_frames() < 2) throw BadInput(path, "a clip to align needs at least two frames");
   return {path, std::move(motion)};
 }

@@ -72,6 +72,9 @@ struct Alignment {
 /// Reads the clip at `path`. Throws what reading does, and BadInput if it has fewer than two frames.
 AlignClip read_align_clip(const std::string& path, Diagnostics& diagnostics);
 
+/// A clip that was read already. Throws BadInput if it has fewer than two frames.
+AlignClip align_clip(const std::string& path, Motion motion);
+
 /// The method that `options` ask for. Throws InvalidArgument if it cannot do what else they ask for.
 const AlignMethod& method_of(const AlignOptions& options);
 
