@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The stage's toolbar: how the clips stand to each other, what is drawn, and from where one looks.
+import type { Signal } from '@preact/signals';
+import { facesAlike, look, startsTogether, type View } from '../scene/view_state';
+import type { Shortcut } from '../state/shortcuts';
+import { actors, followsRoot, layout, showsGrid, showsPlants, showsSlide } from '../state/stage';
+import { useShortcuts } from '../ui/use_shortcuts';
+import { JointPicker } from './joint_picker';
+
+interface Switch {
+  title: string;
+  hint: string;
+  letter: string;
+  on: Signal<boolean>;
+}
+
+const SWITCHES: readonly Switch[] = [
+  { title: 'Follow', hint: 'The camera goes along with the bodies', letter: 'f', on: followsRoot },
+  { title: 'Grid', hint: 'Lines on the floor: 1 m, fine ones 10 cm', letter: 'g', on: showsGrid },
+  { title: 'Plants', hint: 'Where the feet stand', letter: 'p', on: showsPlants },
+  { title: 'Skate', hint: 'How fast feet slide that should stand', letter: 'h', on: showsSlide },
+];
+
+const VIEWS: readonly { view: View; title: string; hint: string; letter: string }[] = [
+  { view: 'frame', title: 'Frame all', hint: 'See everybody', letter: '0' },
+  { view: 'front', title: 'Front', hint: 'Look from the front', letter: '1' },
+  { view: 'side', title: 'Side', hint: 'Look from the side', letter: '2' },
+  { view: 'top', title: 'Top', hint: 'Look from above', letter: '3' },
+  { view: 'corner', title: 'Corner', hint: 'Look from a corner', letter: '4' },
+];
+
+const flip = (on: Signal<boolean>) => {
+  on.value = !on.value;
+};
+
+function changeLayout(): void {
+  layout.value = layout.value === 'overlaid' ? 'side-by-side' : 'overlaid';
+}
+
+const SHORTCUTS: readonly Shortcut[] = [
+  { keys: 'o', description: 'Side by side or overlaid', group: 'View', action: changeLayout },
+  { keys: 'e', description: 'Begin alike: same heading, or one place', group: 'View', action: () => flip(alike()) },
+  ...SWITCHES.map(({ hint, letter, on }) => ({
+    keys: letter,
+    description: hint,
+    group: 'View',
+    action: () => flip(on),
+  })),
+  ...VIEWS.map(({ view, hint, letter }) => ({
+    keys: letter,
+    description: hint,
+    group: 'View',
+    action: () => look(view),
+  })),
+];
+
+/** What makes the clips begin alike in the layout in use. */
+function alike(): Signal<boolean> {
+  return layout.value === 'overlaid' ? startsTogether : facesAlike;
+}
+
+function Toggle({ title, hint, letter, on }: Switch) {
+  return (
+    <button type="button" aria-pressed={on.value} title={`${hint} (${letter.toUpperCase()})`} onClick={() => flip(on)}>
+      {title}
+    </button>
+  );
+}
+
+function LayoutChoice() {
+  const choice = (value: 'side-by-side' | 'overlaid', title: string) => (
+    <button
+      type="button"
+      aria-pressed={layout.value === value}
+      title={`${title} (O)`}
+      onClick={() => {
+        layout.value = value;
+      }}
+    >
+      {title}
+    </button>
+  );
+  const isOverlaid = layout.value === 'overlaid';
+  return (
+    <fieldset disabled={actors.value.length < 2}>
+      <legend>How the clips stand to each other</legend>
+      {choice('side-by-side', 'Side by side')}
+      {choice('overlaid', 'Overlaid')}
+      <Toggle
+        title={isOverlaid ? 'From one place' : 'Same heading'}
+        hint={isOverlaid ? 'All begin at one place, facing the same way' : 'All face the same way at the beginning'}
+        letter="e"
+        on={alike()}
+      />
+    </fieldset>
+  );
+}
+
+export function StageToolbar() {
+  useShortcuts(SHORTCUTS);
+  return (
+    <div class="stage-toolbar" role="toolbar" aria-label="View">
+      <LayoutChoice />
+      <fieldset>
+        <legend>What is drawn</legend>
+        {SWITCHES.map((entry) => (
+          <Toggle {...entry} key={entry.letter} />
+        ))}
+        <JointPicker />
+      </fieldset>
+      <fieldset>
+        <legend>From where one looks</legend>
+        {VIEWS.map(({ view, title, hint, letter }) => (
+          <button type="button" key={view} title={`${hint} (${letter})`} onClick={() => look(view)}>
+            {title}
+          </button>
+        ))}
+      </fieldset>
+    </div>
+  );
+}

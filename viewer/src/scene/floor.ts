@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The floor: a grid of 1 m with fine lines of 10 cm that reaches as far as one looks, and the shadow of what is over it.
+import * as THREE from 'three';
+import type { Theme } from './theme';
+
+const SIZE = 80;
+/** Half the side of the square about the middle in which shadows fall [m]. */
+const SHADOW_REACH = 4;
+const SHADOW_PIXELS = 1024;
+
+const GRID_VERTEX = /* glsl */ `
+  varying vec2 place;
+  void main() {
+    vec4 world = modelMatrix * vec4(position, 1.0);
+    place = world.xz;
+    gl_Position = projectionMatrix * viewMatrix * world;
+  }`;
+
+// Lines are as wide as a pixel at any distance, and fade before they are finer than pixels.
+const GRID_FRAGMENT = /* glsl */ `
+  uniform vec3 colour;
+  uniform vec2 middle;
+  varying vec2 place;
+  float line(vec2 at, vec2 pixel, float width) {
+    vec2 d = abs(fract(at - 0.5) - 0.5) / pixel;
+    vec2 fade = 1.0 - smoothstep(0.12, 0.4, pixel);
+    vec2 cover = (1.0 - smoothstep(width * 0.5, width * 0.5 + 1.0, d)) * fade;
+    return max(cover.x, cover.y);
+  }
+  void main() {
+    vec2 pixel = fwidth(place);
+    float coarse = line(place, pixel, 0.3);
+    float fine = line(place * 10.0, pixel * 10.0, 0.0);
+    float far = length(place - middle);
+    float ink = max(coarse * 0.62, fine * 0.26 * (1.0 - smoothstep(2.0, 7.0, far)));
+    gl_FragColor = vec4(colour, ink * (1.0 - smoothstep(7.0, 22.0, far)));
+    #include <colorspace_fragment>
+  }`;
+
+function plane(material: THREE.Material, order: number): THREE.Mesh {
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(SIZE, SIZE).rotateX(-Math.PI / 2), material);
+  mesh.renderOrder = order;
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
+function gridMaterial(): THREE.ShaderMaterial {
+  return new THREE.ShaderMaterial({
+    uniforms: { colour: { value: new THREE.Color() }, middle: { value: new THREE.Vector2() } },
+    vertexShader: GRID_VERTEX,
+    fragmentShader: GRID_FRAGMENT,
+    transparent: true,
+    depthWrite: false,
+    side: THREE.DoubleSide,
+  });
+}
+
+/** Light almost from above, so that how far a shadow is from its foot tells the foot's height. */
+function shadowLight(): THREE.DirectionalLight {
+  const light = new THREE.DirectionalLight(0xffffff, 1.1);
+  light.castShadow = true;
+  light.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+  light.shadow.radius = 3;
+  light.shadow.bias = -0.002;
+  const { camera } = light.shadow;
+  camera.left = camera.bottom = -SHADOW_REACH;
+  camera.right = camera.top = SHADOW_REACH;
+  camera.near = 0.5;
+  camera.far = 20;
+  return light;
+}
+
+export class Floor {
+  readonly object = new THREE.Group();
+  private readonly grid = plane(gridMaterial(), 0);
+  private readonly shadow = plane(new THREE.ShadowMaterial({ opacity: 0.3, depthWrite: false }), 4);
+  private readonly light = shadowLight();
+
+  constructor() {
+    this.shadow.receiveShadow = true;
+    this.object.add(this.grid, this.shadow, this.light, this.light.target);
+  }
+
+  paint(theme: Theme, showsGrid: boolean): void {
+    const { uniforms } = this.grid.material as THREE.ShaderMaterial;
+    (uniforms.colour!.value as THREE.Color).copy(theme.soft).lerp(theme.page, 0.25);
+    (this.shadow.material as THREE.ShadowMaterial).opacity = theme.isDark ? 0.55 : 0.28;
+    this.grid.visible = showsGrid;
+  }
+
+  /** Keeps floor, light and shadows about the middle of what is shown, `reach` metres to every side. */
+  follow(x: number, z: number, reach: number): void {
+    // The planes go by whole metres; the lines do not move, as they are drawn where they are in the world.
+    const steadyX = Math.round(x);
+    const steadyZ = Math.round(z);
+    this.grid.position.set(steadyX, 0, steadyZ);
+    this.shadow.position.set(steadyX, 0, steadyZ);
+    ((this.grid.material as THREE.ShaderMaterial).uniforms.middle!.value as THREE.Vector2).set(x, z);
+    this.light.target.position.set(x, 0, z);
+    this.light.position.set(x + 1.2, 9, z + 0.8);
+    const { camera } = this.light.shadow;
+    const wanted = Math.max(2, Math.ceil(reach));
+    if (camera.right === wanted) return;
+    camera.left = camera.bottom = -wanted;
+    camera.right = camera.top = wanted;
+    camera.updateProjectionMatrix();
+  }
+
+  dispose(): void {
+    for (const mesh of [this.grid, this.shadow]) {
+      mesh.geometry.dispose();
+      (mesh.material as THREE.Material).dispose();
+    }
+    this.light.dispose();
+  }
+}
