@@ -5,16 +5,14 @@
 #include "bvh_options.h"
 #include "commands.h"
 #include "effort_model_info.h"
+#include "input_files.h"
 #include "model_info.h"
 #include "terminal.h"
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/core.h>
@@ -81,19 +79,6 @@ ClipFacts facts_of(const std::string& path, BvhClip clip) {
   }
   facts.distance = (last - first).norm();
   return facts;
-}
-
-/// What is enough to know a database by, which may be far too long to be read whole. Nothing of a pipe, whose bytes
-/// come once.
-std::string first_bytes(const std::string& path) {
-  constexpr std::size_t kEnough = 100;
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return {};
-  std::string bytes(kEnough, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  return bytes;
 }
 
 const char* guessed(bool is_given) {

@@ -36,6 +36,10 @@ auto naming_the_file(const std::string& path, Work work) {
 void check_same_skeleton(const std::string& path, const Skeleton& skeleton, const std::string& reference_path,
                          const Skeleton& reference);
 
+/// What is enough to know a file's kind by: it may be far too long to be read whole. Nothing of a pipe, whose bytes
+/// come once, and of what cannot be read.
+std::string first_bytes(const std::string& path);
+
 /// Refuses, before anything is computed, an output that cannot be written or that is one of the command's own inputs
 /// or earlier outputs: --force is meant for the results of earlier runs.
 void check_output(const std::string& output, const std::vector<std::string>& inputs, Overwrite overwrite);

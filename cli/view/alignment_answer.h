@@ -4,7 +4,6 @@
 
 #include "view/container.h"
 #include "view/workspace.h"
-#include "feet_options.h"
 
 namespace strut::cli {
 

@@ -2,11 +2,13 @@
 #include "view/clip_answer.h"
 
 #include "clip_figures.h"
+#include "input_files.h"
 #include "view/curve_answer.h"
 #include "view/workspace.h"
 
-#include <array>
+#include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <strut/motion/annotation.h>
@@ -50,7 +52,10 @@ Json points_of(const Motion& motion) {
 }
 
 std::vector<float> positions_of(const Motion& motion) {
+  const auto& joints = motion.skeleton().joints();
+  const auto num_tips = std::count_if(joints.begin(), joints.end(), [](const Joint& j) { return j.has_end_site; });
   std::vector<float> positions;
+  positions.reserve(3 * motion.frames().size() * (joints.size() + static_cast<std::size_t>(num_tips)));
   const auto add = [&](const Eigen::Vector3d& place) {
     for (const double x : place) positions.push_back(static_cast<float>(x));
   };
@@ -58,12 +63,50 @@ std::vector<float> positions_of(const Motion& motion) {
   for (const Pose& pose : motion.frames()) {
     motion::forward_kinematics(motion.skeleton(), pose, world);
     for (const Eigen::Vector3d& place : world.positions) add(place);
-    for (std::size_t j = 0; j < world.positions.size(); ++j) {
-      const Joint& joint = motion.skeleton().joints()[j];
-      if (joint.has_end_site) add(world.positions[j] + world.rotations[j] * joint.end_site);
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      if (joints[j].has_end_site) add(world.positions[j] + world.rotations[j] * joints[j].end_site);
     }
   }
   return positions;
+}
+
+/// The legs whose feet were named, else those found; nothing, and why among `notes`, for a body without.
+std::optional<motion::Legs> legs_of(const std::string& name, const Motion& motion, const FeetOptions& feet,
+                                    Diagnostics& notes) {
+  if (feet.left.empty() || motion.num_frames() == 0) return motion::find_legs(motion);
+  try {
+    return cli::legs_of(name, motion, feet);
+  } catch (const BadInput& error) {
+    notes.warn({}, error.what(), error.hint());
+    return std::nullopt;
+  }
+}
+
+/// The point that is the tip of `joint`; the joint itself if it has none.
+int tip_of(const Skeleton& skeleton, int joint) {
+  const auto& joints = skeleton.joints();
+  if (!skeleton.joint(joint).has_end_site) return joint;
+  const auto before =
+      std::count_if(joints.begin(), joints.begin() + joint, [](const Joint& j) { return j.has_end_site; });
+  return skeleton.num_joints() + static_cast<int>(before);
+}
+
+Json as_json(const motion::Legs& legs, const Skeleton& skeleton) {
+  Json both = Json::array();
+  for (const int foot : {0, 1}) {
+    const motion::Leg& leg = legs.foot(foot);
+    const int toe = leg.toe >= 0 ? leg.toe : tip_of(skeleton, leg.ankle);
+    both.push_back({{"hip", leg.hip}, {"knee", leg.knee}, {"ankle", leg.ankle}, {"toe", toe}});
+  }
+  return both;
+}
+
+Json as_json(const std::vector<motion::Footplant>& plants) {
+  Json all = Json::array();
+  for (const motion::Footplant& plant : plants) {
+    all.push_back({{"foot", plant.foot}, {"begin", plant.begin}, {"end", plant.end}});
+  }
+  return all;
 }
 
 /// Relative to the pelvis positions lie within a few metres however far the body travels: 16 bits hold them.
@@ -82,24 +125,23 @@ void add_packed(Container& container, std::vector<float> positions, const Motion
 
 }  // namespace
 
-Container clip_answer(const std::string& id, const std::string& name, const Motion& motion, const Diagnostics& notes,
-                      Packing packing) {
+Container clip_answer(const std::string& id, const std::string& name, const Motion& motion, Diagnostics notes,
+                      Packing packing, const FeetOptions& feet) {
+  const auto legs = legs_of(name, motion, feet, notes);
   std::vector<motion::Footplant> found;
-  if (const auto legs = motion::find_legs(motion)) found = postprocess::detect_footplants(motion, *legs);
-  Json plants = Json::array();
-  for (const motion::Footplant& plant : found) {
-    plants.push_back({{"foot", plant.foot}, {"begin", plant.begin}, {"end", plant.end}});
-  }
-  Container container({{"id", id},
-                       {"name", name},
-                       {"frameRate", motion.frame_rate()},
-                       {"numFrames", motion.num_frames()},
-                       {"points", points_of(motion)},
-                       {"pelvis", motion.skeleton().pelvis()},
-                       {"plants", plants},
-                       {"figures", as_json(clip_figures(motion, found))},
-                       {"curves", curves_of(motion)},
-                       {"notes", as_json(notes)}});
+  if (legs) found = postprocess::detect_footplants(motion, *legs);
+  Json header{{"id", id},
+              {"name", name},
+              {"frameRate", motion.frame_rate()},
+              {"numFrames", motion.num_frames()},
+              {"points", points_of(motion)},
+              {"pelvis", motion.skeleton().pelvis()},
+              {"plants", as_json(found)},
+              {"figures", as_json(clip_figures(motion, found))},
+              {"curves", curves_of(motion)},
+              {"notes", as_json(notes)}};
+  if (legs) header["legs"] = as_json(*legs, motion.skeleton());
+  Container container(std::move(header));
   if (packing == Packing::kExact || motion.num_frames() == 0) {
     container.add("positions", positions_of(motion));
     container.add("slide", slide_of(motion, found));

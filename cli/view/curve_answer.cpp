@@ -131,13 +131,6 @@ Choices choices_of(const Motion& motion) {
   return choices;
 }
 
-const Choice& choice_of(const Choices& choices, const std::string& name) {
-  const auto found =
-      std::find_if(choices.begin(), choices.end(), [&](const Choice& choice) { return choice.name == name; });
-  if (found == choices.end()) throw Refusal{404, "the clip has no curve '" + name + "'", {}};
-  return *found;
-}
-
 std::vector<float> as_floats(const Eigen::VectorXd& values) {
   const Eigen::VectorXf floats = values.cast<float>();
   return {floats.begin(), floats.end()};
@@ -153,19 +146,18 @@ Container::Json curves_of(const Motion& motion) {
   return curves;
 }
 
-Container curve_answer(const Motion& motion, const std::string& name) {
+std::vector<float> curve_values(const Motion& motion, const std::string& name) {
   const Choices choices = choices_of(motion);
-  const Choice& found = choice_of(choices, name);
-  Container container({{"name", name}, {"unit", found.unit}});
-  container.add("values", as_floats(found.values(motion)));
-  return container;
+  const auto found =
+      std::find_if(choices.begin(), choices.end(), [&](const Choice& choice) { return choice.name == name; });
+  if (found == choices.end()) throw Refusal{404, "the clip has no curve '" + name + "'", {}};
+  return as_floats(found->values(motion));
 }
 
-std::vector<std::vector<float>> curve_values(const Motion& motion, const std::vector<std::string>& names) {
-  const Choices choices = choices_of(motion);
-  std::vector<std::vector<float>> values;
-  for (const std::string& name : names) values.push_back(as_floats(choice_of(choices, name).values(motion)));
-  return values;
+Container curve_answer(const Motion& motion, const std::string& name) {
+  Container container({{"name", name}});
+  container.add("values", curve_values(motion, name));
+  return container;
 }
 
 std::vector<float> slide_of(const Motion& motion, const std::vector<motion::Footplant>& plants) {

@@ -19,13 +19,12 @@ namespace strut::cli {
 /// x joints).
 Container::Json curves_of(const Motion& motion);
 
-/// The container with the array "values": the curve `name` of curves_of(), a number per frame, NaN for none.
-/// Throws Refusal (404) if the motion has no such curve. Cost O(frames x joints).
-Container curve_answer(const Motion& motion, const std::string& name);
+/// The curve `name` of curves_of(): a number per frame, NaN for none. Throws Refusal (404) if the motion has no such
+/// curve. Cost O(frames x joints).
+std::vector<float> curve_values(const Motion& motion, const std::string& name);
 
-/// The values of the curves `names` of curves_of(), a number per frame each, NaN for none. Throws as curve_answer().
-/// Cost O(frames x joints) per curve.
-std::vector<std::vector<float>> curve_values(const Motion& motion, const std::vector<std::string>& names);
+/// The same as the array "values" of a container.
+Container curve_answer(const Motion& motion, const std::string& name);
 
 /// The slide of the left and the right foot at every frame [frames][2] (m/s), NaN where the foot is not planted or the
 /// clip is too short for it.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Serves one page and the answers to its questions, to one browser on this machine: bound to 127.0.0.1, below an
-// address that holds a token nobody can guess, and to no page but its own. Knows nothing of motion.
+// address that holds a token nobody can guess, and to no page but its own. Knows nothing of motion. What is refused and
+// why: docs/viewer.md.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include <nlohmann/json.hpp>
 
 namespace httplib {
 struct Request;
@@ -18,10 +21,14 @@ inline constexpr const char* kBytes = "application/octet-stream";
 
 /// What is answered.
 struct Reply {
-  std::string body;
+  std::string body = {};
   std::string type = "application/json";
-  std::string save_as = {};  ///< a file's name: the browser saves the body instead of showing it
+  std::string save_as = {};                      ///< a file's name: the browser saves the body instead of showing it
+  std::shared_ptr<const std::string> kept = {};  ///< instead of `body`: sent without a copy
 };
+
+/// `json` as an answer; what in it is no UTF-8 (a file's name may be any bytes) is replaced.
+Reply json_reply(const nlohmann::ordered_json& json);
 
 /// What the page asks.
 class Question {
@@ -50,12 +57,13 @@ class PageServer {
 
   /// Binds to `port` of 127.0.0.1, 0: any that is free. Throws Error if it cannot.
   PageServer(std::string_view page, int port);
+  /// As stop().
   ~PageServer();
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;
 
-  /// What is answered to `pattern`, a regular expression below "ADDRESS/api/". Answers may run in several threads at
-  /// once. Bodies of POST, PUT and DELETE are JSON.
+  /// What is answered to `pattern`, a regular expression below "ADDRESS/api/". Answers run in several threads at once.
+  /// Bodies of POST and PUT are JSON.
   void on_get(const std::string& pattern, Answer answer);
   void on_post(const std::string& pattern, Answer answer);
   void on_put(const std::string& pattern, Answer answer);
@@ -63,8 +71,10 @@ class PageServer {
 
   /// "http://127.0.0.1:PORT/TOKEN/"
   [[nodiscard]] const std::string& address() const noexcept;
-  /// Serves until stop() is called, from another thread or a signal's handler thread.
-  void run();
+  /// Serves, in threads of its own.
+  void start();
+  [[nodiscard]] bool is_running() const;
+  /// Refuses what comes and waits for answers that are under way.
   void stop();
 
  private:

@@ -116,11 +116,11 @@ Container answer_of(const ReportClip& clip, const std::string& id) {
 
 /// All curves that `clip`, the answer of `motion`, names.
 Container curves_in(const Container& clip, const Motion& motion) {
-  std::vector<std::string> names;
-  for (const Json& curve : clip.header().at("curves")) names.push_back(curve.at("name"));
-  const std::vector<std::vector<float>> values = curve_values(motion, names);
   Container container(Json::object());
-  for (std::size_t i = 0; i < names.size(); ++i) container.add_rounded(names[i], values[i]);
+  for (const Json& curve : clip.header().at("curves")) {
+    const auto& name = curve.at("name").get_ref<const std::string&>();
+    container.add_rounded(name, curve_values(motion, name));
+  }
   return container;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-import { colourOf, dashOf } from '../state/looks';
 import { isPlaying, seek } from '../state/playback';
-import { type Actor, actors } from '../state/stage';
+import { actors } from '../state/stage';
+import { Swatch } from '../ui/swatch';
 import { type FigureCell, type FigureRow, figureRows, type Mark, momentOf, shown } from './figure_rows';
 import './figures.css';
 
@@ -23,66 +23,52 @@ function ExtremeLink({ actor, figure }: FigureCell) {
   );
 }
 
-function Cell({ cell }: { cell: FigureCell | null }) {
-  if (!cell) return <td>–</td>;
-  const { figure, mark } = cell;
-  return (
-    <td>
-      {figure.value === null ? '–' : shown(figure.value)}
-      {mark && <span class={mark}> {MARKS[mark]}</span>}
-      {figure.note && <span class="note"> {figure.note}</span>}
-      <ExtremeLink {...cell} />
-    </td>
-  );
-}
-
-function Row({ name, unit, better, cells }: FigureRow) {
+function Cell(cell: FigureCell) {
+  const { actor, figure, mark } = cell;
   return (
     <tr>
-      <th scope="row">
-        {name}
-        {unit && ` [${unit}]`}
-        {better && cells.length > 1 && <span class="note"> {better} is better</span>}
+      <th scope="row" title={actor.title}>
+        <Swatch number={actor.colour} /> {actor.title}
       </th>
-      {cells.map((cell, i) => (
-        <Cell key={actors.value[i]!.clip.id} cell={cell} />
-      ))}
+      <td>
+        <strong>{figure.value === null ? '–' : shown(figure.value)}</strong>
+        {mark && <span class={mark}> {MARKS[mark]}</span>}
+        {figure.note && <span class="note"> {figure.note}</span>}
+        <ExtremeLink {...cell} />
+      </td>
     </tr>
   );
 }
 
-function ClipHeading({ actor }: { actor: Actor }) {
-  const line = { stroke: colourOf(actor.colour), 'stroke-dasharray': dashOf(actor.colour).join(' ') };
+function Row({ name, unit, better, cells }: FigureRow) {
+  const known = cells.filter((cell) => cell !== null);
   return (
-    <th scope="col">
-      <svg class="line" width="28" height="8" aria-hidden="true">
-        <line x1="0" y1="4" x2="28" y2="4" stroke-width="3" {...line} />
-      </svg>
-      {actor.title}
-    </th>
+    <tbody>
+      <tr>
+        <th scope="rowgroup" colSpan={2}>
+          {name}
+          {unit && ` [${unit}]`}
+          {better && known.length > 1 && <span class="note"> {better} is better</span>}
+        </th>
+      </tr>
+      {known.map((cell) => (
+        <Cell key={cell.actor.clip.id} {...cell} />
+      ))}
+    </tbody>
   );
 }
 
-/** What was measured of the clips on the stage: a row per figure, a column per clip. */
+/** What was measured of the clips on the stage, figure by figure, so that any number of clips fits a narrow column. */
 export function Figures() {
   const rows = figureRows(actors.value);
   if (rows.length === 0) return null;
   return (
-    <section class="figures" aria-label="Figures">
+    <section class="part figures" aria-label="Figures">
+      <h2>Figures</h2>
       <table>
-        <thead>
-          <tr>
-            <th scope="col">Figure</th>
-            {actors.value.map((actor) => (
-              <ClipHeading key={actor.clip.id} actor={actor} />
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map((row) => (
-            <Row key={row.name} {...row} />
-          ))}
-        </tbody>
+        {rows.map((row) => (
+          <Row key={row.name} {...row} />
+        ))}
       </table>
     </section>
   );

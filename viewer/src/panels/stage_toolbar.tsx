@@ -22,11 +22,11 @@ const SWITCHES: readonly Switch[] = [
 ];
 
 const VIEWS: readonly { view: View; title: string; hint: string; letter: string }[] = [
-  { view: 'frame', title: 'Frame all', hint: 'See everybody', letter: '0' },
-  { view: 'front', title: 'Front', hint: 'Look from the front', letter: '1' },
-  { view: 'side', title: 'Side', hint: 'Look from the side', letter: '2' },
-  { view: 'top', title: 'Top', hint: 'Look from above', letter: '3' },
-  { view: 'corner', title: 'Corner', hint: 'Look from a corner', letter: '4' },
+  { view: 'frame', title: 'Frame all', hint: 'See everybody', letter: 'a' },
+  { view: 'front', title: 'Front', hint: 'Look from the front', letter: '7' },
+  { view: 'side', title: 'Side', hint: 'Look from the side', letter: '8' },
+  { view: 'top', title: 'Top', hint: 'Look from above', letter: '9' },
+  { view: 'corner', title: 'Corner', hint: 'Look from a corner', letter: '0' },
 ];
 
 const flip = (on: Signal<boolean>) => {
@@ -38,7 +38,7 @@ function changeLayout(): void {
 }
 
 const SHORTCUTS: readonly Shortcut[] = [
-  { keys: 'o', description: 'Side by side or overlaid', group: 'View', action: changeLayout },
+  { keys: 'l', description: 'Side by side or overlaid', group: 'View', action: changeLayout },
   { keys: 'e', description: 'Begin alike: same heading, or one place', group: 'View', action: () => flip(alike()) },
   ...SWITCHES.map(({ hint, letter, on }) => ({
     keys: letter,
@@ -72,7 +72,7 @@ function LayoutChoice() {
     <button
       type="button"
       aria-pressed={layout.value === value}
-      title={`${title} (O)`}
+      title={`${title} (L)`}
       onClick={() => {
         layout.value = value;
       }}
@@ -83,7 +83,7 @@ function LayoutChoice() {
   const isOverlaid = layout.value === 'overlaid';
   return (
     <fieldset disabled={actors.value.length < 2}>
-      <legend>How the clips stand to each other</legend>
+      <legend class="visually-hidden">How the clips stand to each other</legend>
       {choice('side-by-side', 'Side by side')}
       {choice('overlaid', 'Overlaid')}
       <Toggle
@@ -102,16 +102,16 @@ export function StageToolbar() {
     <div class="stage-toolbar" role="toolbar" aria-label="View">
       <LayoutChoice />
       <fieldset>
-        <legend>What is drawn</legend>
+        <legend class="visually-hidden">What is drawn</legend>
         {SWITCHES.map((entry) => (
           <Toggle {...entry} key={entry.letter} />
         ))}
         <JointPicker />
       </fieldset>
       <fieldset>
-        <legend>From where one looks</legend>
+        <legend class="visually-hidden">From where one looks</legend>
         {VIEWS.map(({ view, title, hint, letter }) => (
-          <button type="button" key={view} title={`${hint} (${letter})`} onClick={() => look(view)}>
+          <button type="button" key={view} title={`${hint} (${letter.toUpperCase()})`} onClick={() => look(view)}>
             {title}
           </button>
         ))}

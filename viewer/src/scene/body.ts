@@ -75,7 +75,7 @@ export function headOf(header: Pick<ClipHeader, 'points' | 'pelvis'>, pose: Floa
   if (end.isTip && length > 0.05 * size) return { base: end.parent, from: end.parent, to: end.child, length };
   const base = end.isTip ? end.parent : end.child;
   const from = header.points[base]!.parent;
-  return base === header.pelvis ? null : { base, from, to: base, length: 0.19 * size };
+  return base === header.pelvis ? null : { base, from, to: base, length: 0.17 * size };
 }
 
 /** Which way is left on the floor at frame `frame`, not normalized: by hips and shoulders, which do not swing. */

@@ -11,6 +11,10 @@ import type { Theme } from './theme';
 const MOMENTS = 40;
 /** What is farther from the middle than this is not fitted into the picture [m]. */
 const FARTHEST = 7;
+/** Over the highest joint there is a head [m]. */
+const HEADROOM = 0.25;
+/** Under the feet there is the title [m]. */
+const FOOTROOM = 0.25;
 
 function isSame(view: ActorView, actor: Actor): boolean {
   const { clip, colour, title, frames } = view.actor;
@@ -136,12 +140,18 @@ export class Cast {
     const middle = follows ? this.middleAt(frames) : this.middle;
     this.views.forEach(({ actor: { clip }, object, joints }, i) => {
       const by = { x: object.position.x, z: object.position.z, yaw: object.rotation.y };
+      let top = 0;
       for (const joint of joints) {
         const at = 3 * (frames[i]! * clip.numPoints + joint);
         const place = placed({ x: clip.positions[at]!, z: clip.positions[at + 2]! }, by);
         const [x, z] = [place.x - middle.x, place.z - middle.z];
-        if (Math.hypot(x, z) < FARTHEST) points.push(x, clip.positions[at + 1]!, z);
+        if (Math.hypot(x, z) > FARTHEST) continue;
+        const y = clip.positions[at + 1]!;
+        top = Math.max(top, y + HEADROOM);
+        points.push(x, y, z);
       }
+      const [x, , z] = points.slice(-3);
+      if (top > 0) points.push(x!, top, z!, x!, -FOOTROOM, z!);
     });
   }
 

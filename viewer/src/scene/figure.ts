@@ -12,9 +12,9 @@ const SIDES: readonly Side[] = ['left', 'right', 'centre'];
 /** A joint is this much of the thickest bone at it. */
 const JOINT = 0.62;
 /** How wide a head is: its radius, of its length. */
-const HEAD = 0.38;
+const HEAD = 0.36;
 /** How much is seen of a body that another one is laid over. */
-const GHOST = 0.5;
+const GHOST = 0.62;
 
 interface Limbs {
   side: Side;
@@ -74,6 +74,7 @@ export class Figure {
     const paint = (mesh: THREE.InstancedMesh, own: THREE.Color) => {
       const material = mesh.material as THREE.MeshStandardMaterial;
       material.color.copy(own);
+      if (material.transparent !== isGhost) material.needsUpdate = true;
       material.transparent = isGhost;
       material.opacity = isGhost ? GHOST : 1;
       mesh.renderOrder = isGhost ? 20 : 10;

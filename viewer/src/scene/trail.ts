@@ -65,7 +65,8 @@ export class Trail {
   ) {
     const dashes = dashesOf(colour);
     const { positions, frames: moments } = trailPath(clip, point, ...frames);
-    const lines = new LineMaterial({ linewidth: WIDTH, dashed: dashes[1] > 0, transparent: true });
+    // A whole line is dashed too, with gaps of nothing: without the round ends that show where pieces meet.
+    const lines = new LineMaterial({ linewidth: WIDTH, dashed: true, transparent: true });
     this.material = withMoments(lines, dashes);
     this.material.depthWrite = false;
     const ball = new THREE.SphereGeometry(1, 20, 14);
