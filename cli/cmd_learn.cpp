@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // strut learn: learns a style from a pair list.
 #include "commands.h"
+#include "fingerprint.h"
 #include "footplant_table.h"
 #include "input_files.h"
 #include "learn_report.h"
@@ -31,13 +32,6 @@ struct LearnArguments {
   LearnOptions options;
   bool force = false;
 };
-
-/// FNV-1a, 64 bits: tells whether a file is the one that was learnt from; no protection against forgery.
-std::string fingerprint(const std::string& bytes) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return fmt::format("{:016x}", hash);
-}
 
 json describe_files(const std::vector<std::string>& paths) {
   json files = json::array();

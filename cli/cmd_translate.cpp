@@ -2,11 +2,11 @@
 // strut translate: puts a learnt style on a clip, or on motion as it comes.
 #include "bvh_options.h"
 #include "commands.h"
-#include "feet_options.h"
 #include "input_files.h"
 #include "style_options.h"
 #include "terminal.h"
 #include "translate_stream.h"
+#include "translated_clip.h"
 #include "usage.h"
 
 #include <memory>
@@ -16,7 +16,6 @@
 
 #include <fmt/core.h>
 
-#include <strut/core/error.h>
 #include <strut/io/bvh.h>
 #include <strut/translate/translate_motion.h>
 
@@ -48,26 +47,17 @@ void translate_clip(const TranslateArguments& arguments) {
   PrintedDiagnostics diagnostics;
   const auto models = read_models(arguments.style);
   const BvhClip clip = read_bvh(arguments.clip, arguments.read, &diagnostics);
-  const BvhLayout layout =
-      arguments.keep_layout ? clip.layout : default_layout(clip.motion.skeleton(), clip.layout.unit, clip.layout.up);
-  TranslateOptions options{.controls = arguments.style.controls,
-                           .generalization = arguments.style.generalization,
-                           .retime = arguments.retime,
-                           .clean_feet = arguments.clean_feet,
-                           .warm_up = arguments.warm_up};
-  if (options.clean_feet) {
-    const auto legs = motion::find_legs(clip.motion);
-    if (!legs || !holds_stretch(layout, *legs)) options.footskate.max_stretch = 0.0;
-  }
-  try {
-    const Motion result =
-        naming_the_file(arguments.clip, [&] { return translate_motion(models, clip.motion, options, &diagnostics); });
-    write_bvh(arguments.output, result, layout, overwrite_if(arguments.force), &diagnostics);
-    fmt::print("{}: {} frames, {:.2f} s (input {:.2f} s)\n", arguments.output, result.num_frames(), result.duration(),
-               clip.motion.duration());
-  } catch (const SkeletonMismatch& error) {
-    refuse_clip(arguments.clip, error);
-  }
+  const TranslateOptions options{.controls = arguments.style.controls,
+                                 .generalization = arguments.style.generalization,
+                                 .retime = arguments.retime,
+                                 .clean_feet = arguments.clean_feet,
+                                 .warm_up = arguments.warm_up};
+  const TranslatedClip translated =
+      translate_file(arguments.clip, clip, models, options, arguments.keep_layout, &diagnostics);
+  const Motion& result = translated.translation.motion;
+  write_bvh(arguments.output, result, translated.layout, overwrite_if(arguments.force), &diagnostics);
+  fmt::print("{}: {} frames, {:.2f} s (input {:.2f} s)\n", arguments.output, result.num_frames(), result.duration(),
+             clip.motion.duration());
 }
 
 void run(const TranslateArguments& arguments) {
@@ -132,7 +122,7 @@ void add_translate(CLI::App& app) {
   CLI::Option* warm_up = command
                              ->add_option("--warm-up", arguments->warm_up,
                                           "Seconds of motion extrapolated before a whole clip, 0 for none")
-                             ->check(number_in(0.0, 60.0))
+                             ->check(number_in(0.0, kLongestWarmUp))
                              ->capture_default_str();
   add_stream_options(*command, *arguments, clip, {warm_up, no_clean_feet});
   add_bvh_read_options(*command, "--", arguments->read);

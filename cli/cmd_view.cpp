@@ -60,6 +60,9 @@ void run(const ViewArguments& arguments) {
   Workspace workspace(arguments.files, arguments.options);
   PageServer server(kViewerPage, arguments.port);
   add_clip_routes(server, workspace);
+  add_translate_routes(server, workspace);
+  add_pair_routes(server, workspace);
+  add_label_routes(server, workspace);
   const InterruptSignals signals;
   server.start();
   fmt::print("{}\n", server.address());

@@ -4,7 +4,6 @@
 #include "input_files.h"
 #include "terminal.h"
 
-#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 
 #include <strut/effort/fragment_database.h>
 #include <strut/effort/label_table.h>
+#include <strut/effort/rater_consistency.h>
 
 namespace strut::cli {
 namespace {
@@ -28,42 +28,13 @@ struct LabelsArguments {
   bool estimates = false, json = false, force = false;
 };
 
-/// One rater's labels, and how far blind repeats lie from the first labels of the same target.
-struct RaterReport {
-  int labels = 0, repeats = 0;
-  bool is_synthetic = false;
-  std::map<effort::LabelTarget, effort::Rating> first;
-  effort::Rating squares = effort::Rating::Zero();
-  Eigen::Vector4i count = Eigen::Vector4i::Zero();
-};
-
-std::map<std::string, RaterReport> reports_of(const FragmentDatabase& database) {
-  std::map<std::string, RaterReport> reports;
+/// By name.
+std::map<std::string, effort::RaterConsistency> reports_of(const FragmentDatabase& database) {
   const auto labels = database.labels();
-  for (const LabelRecord& label : labels) {
-    RaterReport& report = reports[label.rater];
-    ++report.labels;
-    report.is_synthetic |= label.source == effort::LabelSource::kSynthetic;
-    if (!label.is_repeat) report.first.emplace(label.target, label.rating);
-  }
-  for (const LabelRecord& label : labels) {
-    RaterReport& report = reports[label.rater];
-    const auto first = report.first.find(label.target);
-    if (!label.is_repeat || first == report.first.end()) continue;
-    ++report.repeats;
-    for (int k = 0; k < effort::kNumFactors; ++k) {
-      const double change = label.rating[k] - first->second[k];
-      if (!effort::is_rated(change)) continue;
-      report.squares[k] += change * change;
-      ++report.count[k];
-    }
-  }
+  std::map<std::string, effort::RaterConsistency> reports;
+  for (const LabelRecord& label : labels) reports[label.rater];
+  for (auto& [rater, report] : reports) report = effort::rater_consistency(labels, rater);
   return reports;
-}
-
-/// How far repeats differ in a factor (RMS); kNotRated without any.
-double difference(const RaterReport& report, int factor) {
-  return report.count[factor] == 0 ? effort::kNotRated : std::sqrt(report.squares[factor] / report.count[factor]);
 }
 
 void print_raters(const FragmentDatabase& database) {
@@ -78,11 +49,11 @@ void print_raters(const FragmentDatabase& database) {
   for (const auto& [rater, report] : reports) {
     std::string differences;
     for (int k = 0; k < effort::kNumFactors; ++k) {
-      const double value = difference(report, k);
+      const double value = report.rms_difference[k];
       differences += effort::is_rated(value) ? fmt::format(" {:6.3f}", value) : "      -";
     }
-    fmt::print("{:<16} {:<9} {:>7} {:>8}  {}\n", rater, report.is_synthetic ? "synthetic" : "person", report.labels,
-               report.repeats, differences);
+    fmt::print("{:<16} {:<9} {:>7} {:>8}  {}\n", rater, report.is_synthetic ? "synthetic" : "person", report.num_labels,
+               report.num_repeats, differences);
   }
 }
 
@@ -97,13 +68,13 @@ void print_json(const FragmentDatabase& database, const std::optional<effort::La
   for (const auto& [rater, report] : reports_of(database)) {
     Json differences = Json::object();
     for (int k = 0; k < effort::kNumFactors; ++k) {
-      const double value = difference(report, k);
+      const double value = report.rms_difference[k];
       if (effort::is_rated(value)) differences[effort::kFactorNames.at(static_cast<std::size_t>(k))] = value;
     }
     all["raters"].push_back({{"rater", rater},
                              {"source", report.is_synthetic ? "synthetic" : "person"},
-                             {"labels", report.labels},
-                             {"repeats", report.repeats},
+                             {"labels", report.num_labels},
+                             {"repeats", report.num_repeats},
                              {"repeats_differ_rms", std::move(differences)}});
   }
   fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));

@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include <strut/core/error.h>
 #include <strut/model/style_model_io.h>
 
 namespace strut::cli {
@@ -49,9 +50,8 @@ void set_part(const std::string& word, TranslatorControls& controls) {
   controls.parts.at(static_cast<std::size_t>(part - motion::kBodyPartNames.begin())) = strength;
 }
 
-/// The first model gets what the others leave.
 void set_blend(const std::vector<std::string>& words, StyleArguments& arguments) {
-  double rest = 1.0;
+  std::vector<double> shares;
   arguments.others.clear();
   for (const std::string& word : words) {
     const auto [path, share] = parse_named_number(word);
@@ -59,14 +59,13 @@ void set_blend(const std::vector<std::string>& words, StyleArguments& arguments)
       throw CLI::ValidationError("--blend", "expected MODEL.strut=SHARE, SHARE from 0 to 1, got '" + word + "'");
     }
     arguments.others.push_back({path, share});
-    rest -= share;
+    shares.push_back(share);
   }
-  constexpr double kRounding = 1e-9;  // shares such as 0.1 sum up to nearly 1
-  if (rest < -kRounding) {
-    throw CLI::ValidationError("--blend", fmt::format("expected shares of at most 1 together, got {:g}", 1.0 - rest));
+  try {
+    arguments.controls.weights = blend_weights(shares);
+  } catch (const InvalidArgument& error) {
+    throw CLI::ValidationError("--" + std::string(error.what()));
   }
-  arguments.controls.weights = {std::max(0.0, rest)};
-  for (const BlendedModel& other : arguments.others) arguments.controls.weights.push_back(other.share);
 }
 
 void add_strengths(CLI::App& command, TranslatorControls& controls) {
@@ -95,12 +94,12 @@ void add_generalization(CLI::App& command, postprocess::GeneralizationOptions& o
   command
       .add_option("--confidence", options.confidence,
                   "How unlike the examples motion may be and still be translated, in deviations")
-      ->check(number_in(0.1, 1000.0))
+      ->check(number_in(kLeastGeneralization, kMostGeneralization))
       ->capture_default_str();
   command
       .add_option("--preference", options.preference,
                   "How strongly doubtful motion is translated rather than passed through")
-      ->check(number_in(0.1, 1000.0))
+      ->check(number_in(kLeastGeneralization, kMostGeneralization))
       ->capture_default_str();
 }
 
@@ -124,18 +123,39 @@ void add_style_options(CLI::App& command, StyleArguments& arguments) {
   add_generalization(command, arguments.generalization);
 }
 
-std::vector<std::shared_ptr<const StyleModel>> read_models(const StyleArguments& arguments) {
-  std::vector<std::shared_ptr<const StyleModel>> models;
-  for (const std::string& path : arguments.paths()) {
-    models.push_back(read_style_model(path));
-    const StyleModel &first = *models.front(), &model = *models.back();
-    check_same_skeleton(path, model.skeleton(), arguments.model, first.skeleton());
+std::vector<double> blend_weights(const std::vector<double>& shares) {
+  std::vector<double> weights{1.0};
+  for (const double share : shares) {
+    if (!(share >= 0.0 && share <= 1.0))
+      throw InvalidArgument("blend", "shares from 0 to 1", fmt::format("{:g}", share));
+    weights.push_back(share);
+    weights.front() -= share;
+  }
+  constexpr double kRounding = 1e-9;  // shares such as 0.1 sum up to nearly 1
+  if (weights.front() < -kRounding) {
+    throw InvalidArgument("blend", "shares of at most 1 together", fmt::format("{:g}", 1.0 - weights.front()));
+  }
+  weights.front() = std::max(0.0, weights.front());
+  return weights;
+}
+
+void check_blend(const std::vector<std::string>& paths, const std::vector<std::shared_ptr<const StyleModel>>& models) {
+  for (std::size_t i = 1; i < models.size(); ++i) {
+    const StyleModel &first = *models.front(), &model = *models[i];
+    check_same_skeleton(paths[i], model.skeleton(), paths.front(), first.skeleton());
     if (model.frame_rate() == first.frame_rate()) continue;
-    throw BadInput(path,
-                   fmt::format("runs at {:g} frames per second, {} at {:g}", model.frame_rate(), arguments.model,
+    throw BadInput(paths[i],
+                   fmt::format("runs at {:g} frames per second, {} at {:g}", model.frame_rate(), paths.front(),
                                first.frame_rate()),
                    "learn both at one rate: strut learn --frame-rate");
   }
+}
+
+std::vector<std::shared_ptr<const StyleModel>> read_models(const StyleArguments& arguments) {
+  const std::vector<std::string> paths = arguments.paths();
+  std::vector<std::shared_ptr<const StyleModel>> models;
+  for (const std::string& path : paths) models.push_back(read_style_model(path));
+  check_blend(paths, models);
   return models;
 }
 

@@ -155,7 +155,7 @@ std::vector<float> curve_values(const Motion& motion, const std::string& name) {
 }
 
 Container curve_answer(const Motion& motion, const std::string& name) {
-  Container container({{"name", name}});
+  Container container(Json::object({{"name", name}}));
   container.add("values", curve_values(motion, name));
   return container;
 }

@@ -163,7 +163,23 @@ const ViewFile& Workspace::file(const std::string& id, ViewKind kind) const {
   return *found;
 }
 
+std::string Workspace::keep_made(BvhClip bvh, Diagnostics notes) {
+  const std::scoped_lock lock(made_mutex_);
+  ViewFile file;
+  file.id = fmt::format("made-{}", num_made_++);
+  made_.push_back(std::make_shared<const ViewClip>(ViewClip{std::move(file), std::move(bvh), std::move(notes)}));
+  if (made_.size() > kMostMade) made_.pop_front();
+  return made_.back()->file.id;
+}
+
+std::shared_ptr<const ViewClip> Workspace::made_clip(const std::string& id) {
+  const std::scoped_lock lock(made_mutex_);
+  const auto found = std::find_if(made_.begin(), made_.end(), [&](const auto& clip) { return clip->file.id == id; });
+  return found == made_.end() ? nullptr : *found;
+}
+
 std::shared_ptr<const ViewClip> Workspace::clip(const std::string& id) {
+  if (const auto made = made_clip(id)) return made;
   const ViewFile& named = file(id, ViewKind::kClip);
   return clips_.get(id, [&] {
     Diagnostics notes;

@@ -7,7 +7,9 @@
 #include "feet_options.h"
 #include "view/kept.h"
 
+#include <deque>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,8 +68,12 @@ class Workspace {
   /// The clip of the file `id`, the model of it. Throw Refusal as file() does, and what reading throws.
   std::shared_ptr<const ViewClip> clip(const std::string& id);
   std::shared_ptr<const StyleModel> model(const std::string& id);
+  /// Gives a clip that was made, not read, an id, under which clip() has it until kMostMade others have been made.
+  std::string keep_made(BvhClip bvh, Diagnostics notes);
 
  private:
+  static constexpr std::size_t kMostMade = 3;  // what the page shows, what it is about to, and what it just showed
+  std::shared_ptr<const ViewClip> made_clip(const std::string& id);  // none if there is no such
   void look_at(ViewFile& file);
   void add_listed_clips();
 
@@ -75,6 +81,9 @@ class Workspace {
   std::vector<ViewFile> files_;
   Kept<ViewClip> clips_;
   Kept<StyleModel> models_;
+  std::mutex made_mutex_;
+  std::deque<std::shared_ptr<const ViewClip>> made_;  // the latest last
+  int num_made_ = 0;
 };
 
 /// What a person is told of `diagnostics`: [{message, hint}].

@@ -86,6 +86,10 @@ void check_target(const LabelTarget& target, const std::set<RecordId>& fragments
   throw InvalidArgument("target", is_blend ? "the id of a blend" : "the id of a fragment", std::to_string(target.id));
 }
 
+constexpr const char* kLabels =
+    "SELECT id, fragment, blend, rater, labelled_at, source, flow, weight, time, space, not_present, repeat, comment "
+    "FROM labels ";
+
 LabelRecord label_of(const Statement& row) {
   LabelRecord label;
   label.id = row.integer(0);
@@ -233,11 +237,23 @@ int FragmentDatabase::add_labels(const std::vector<LabelRecord>& labels) {
   return added;
 }
 
+std::optional<LabelRecord> FragmentDatabase::remove_last_label(const std::string& rater) {
+  Change change(parts_->connection);
+  std::optional<LabelRecord> last;
+  {
+    Statement row = parts_->connection.prepare(std::string(kLabels) +
+                                               "WHERE rater = ? AND source = 'person' ORDER BY id DESC LIMIT 1");
+    if (row.bind(0, rater).next()) last = label_of(row);
+  }
+  if (!last) return std::nullopt;
+  parts_->connection.prepare("DELETE FROM labels WHERE id = ?").bind(0, last->id).run();
+  change.commit();
+  return last;
+}
+
 std::vector<LabelRecord> FragmentDatabase::labels() const {
   std::vector<LabelRecord> labels;
-  Statement rows = parts_->connection.prepare(
-      "SELECT id, fragment, blend, rater, labelled_at, source, flow, weight, time, space, not_present, repeat, comment "
-      "FROM labels ORDER BY id");
+  Statement rows = parts_->connection.prepare(std::string(kLabels) + "ORDER BY id");
   while (rows.next()) labels.push_back(label_of(rows));
   return labels;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // toml++ reads and knows the line of every value; writing is plain text, so that comments stand where a person looks.
+#include "io/pair_list_comments.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -186,14 +188,92 @@ std::string frames_line(const char* key, const std::optional<motion::FrameRange>
                    "a pair list is made by strut pair");
 }
 
-}  // namespace
+/// Where the pairs of a list stand that was read without complaint.
+std::vector<io::detail::LineSpan> lines_of(const toml::table& root) {
+  std::vector<io::detail::LineSpan> spans;
+  for (const toml::node& node : *root.get_as<toml::array>("pair")) {
+    io::detail::LineSpan span{node.source().begin.line, node.source().begin.line};
+    for (const auto& [key, value] : *node.as_table())
+      span.last = std::max<std::size_t>(span.last, value.source().end.line);
+    spans.push_back(span);
+  }
+  return spans;
+}
 
-std::vector<PairListEntry> parse_pair_list(std::string_view text, const std::string& path) {
+/// A list with its comments; rejected pairs are still comments.
+PairList read_with_comments(std::string_view text, const std::string& path) {
   try {
-    return Reader(path).read(toml::parse(text, path));
+    const toml::table root = toml::parse(text, path);
+    PairList list;
+    list.pairs = Reader(path).read(root);
+    io::detail::PairListComments comments = io::detail::comments_of(text, lines_of(root));
+    list.heading = std::move(comments.heading);
+    list.ending = std::move(comments.ending);
+    for (std::size_t i = 0; i < list.pairs.size(); ++i) list.pairs[i].comment = std::move(comments.of_pairs[i]);
+    return list;
   } catch (const toml::parse_error& error) {
     refuse(path, error);
   }
+}
+
+/// What stands above the rejected pairs.
+constexpr const char* kRejected = "Rejected. Taking the first \"# \" of its lines away brings a pair back.";
+
+/// `text` without its lines that read `line`, and without blank lines at its ends.
+std::string without(const std::string& text, const std::string& line) {
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string each; std::getline(lines, each);) {
+    if (each != line) kept += each + "\n";
+  }
+  kept.erase(kept.find_last_not_of('\n') + 1);
+  return kept.erase(0, kept.find_first_not_of('\n'));
+}
+
+/// Moves the pairs out of the commented list that begins at `begin` of the ending; false if there is no such list.
+bool take_rejected(PairList& list, std::size_t begin, const std::string& path) {
+  PairList taken;
+  try {
+    taken = read_with_comments(std::string_view(list.ending).substr(begin), path);
+  } catch (const ParseError&) {
+    return false;  // a person's words: they stay as they are
+  }
+  for (PairListEntry& entry : taken.pairs) {
+    entry.comment = without(entry.comment, kRejected);
+    entry.input.line = entry.input.column = entry.output.line = entry.output.column = 0;  // not those of the file
+  }
+  list.rejected = std::move(taken.pairs);
+  list.ending = without(list.ending.substr(0, begin) + "\n" + taken.heading + "\n" + taken.ending, kRejected);
+  return true;
+}
+
+std::string format_pairs(const std::vector<PairListEntry>& pairs, const fs::path& folder, const std::string& heading) {
+  std::string text = commented(heading);
+  for (const PairListEntry& pair : pairs) {
+    if (!text.empty()) text += "\n";
+    text += commented(pair.comment);
+    text += "[[pair]]\n";
+    text += "input = " + quoted(relative_to(folder, pair.input.path)) + "\n";
+    text += "output = " + quoted(relative_to(folder, pair.output.path)) + "\n";
+    text += frames_line("input_frames", pair.input.frames);
+    text += frames_line("output_frames", pair.output.frames);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<PairListEntry> parse_pair_list(std::string_view text, const std::string& path) {
+  return read_with_comments(text, path).pairs;
+}
+
+PairList parse_annotated_pair_list(std::string_view text, const std::string& path) {
+  PairList list = read_with_comments(text, path);
+  const std::string mark = std::string("# ") + kRejected;
+  for (auto at = list.ending.find(mark); at != std::string::npos; at = list.ending.find(mark, at + 1)) {
+    if (take_rejected(list, at, path)) break;
+  }
+  return list;
 }
 
 std::vector<PairListEntry> read_pair_list(const std::string& path) {
@@ -211,21 +291,18 @@ motion::FrameRange frames_within(const PairedClip& clip, int num_frames, const s
   return *clip.frames;
 }
 
+std::string format_pair_list(const PairList& list, const std::string& path) {
+  if (list.pairs.empty()) throw InvalidArgument("pairs", "at least one pair", "none");
+  const fs::path folder = fs::absolute(path).parent_path();
+  std::string text = format_pairs(list.pairs, folder, list.heading);
+  if (!list.ending.empty()) text += "\n" + commented(list.ending);
+  if (!list.rejected.empty()) text += "\n" + commented(format_pairs(list.rejected, folder, kRejected));
+  return text;
+}
+
 std::string format_pair_list(const std::vector<PairListEntry>& pairs, const std::string& path,
                              const std::string& heading) {
-  if (pairs.empty()) throw InvalidArgument("pairs", "at least one pair", "none");
-  const fs::path folder = fs::absolute(path).parent_path();
-  std::string text = commented(heading);
-  for (const PairListEntry& pair : pairs) {
-    if (!text.empty()) text += "\n";
-    text += commented(pair.comment);
-    text += "[[pair]]\n";
-    text += "input = " + quoted(relative_to(folder, pair.input.path)) + "\n";
-    text += "output = " + quoted(relative_to(folder, pair.output.path)) + "\n";
-    text += frames_line("input_frames", pair.input.frames);
-    text += frames_line("output_frames", pair.output.frames);
-  }
-  return text;
+  return format_pair_list(PairList{heading, pairs, {}, {}}, path);
 }
 
 void write_pair_list(const std::string& path, const std::vector<PairListEntry>& pairs, const std::string& heading,

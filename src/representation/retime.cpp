@@ -9,13 +9,6 @@
 namespace strut::representation {
 namespace {
 
-/// When each input frame's centre comes [output frames], the first at 0.
-Eigen::VectorXd output_times(const Eigen::VectorXd& time_warp) {
-  Eigen::VectorXd times = Eigen::VectorXd::Zero(time_warp.size());
-  for (Eigen::Index i = 1; i < times.size(); ++i) times[i] = times[i - 1] + 0.5 * (time_warp[i - 1] + time_warp[i]);
-  return times;
-}
-
 /// Where the increasing piecewise linear curve `times` reaches 0, 1, 2, ...
 Eigen::VectorXd invert(const Eigen::VectorXd& times) {
   constexpr double kRounding = 1e-9;  // a last frame missed by rounding alone still counts
@@ -39,9 +32,15 @@ FrameMatrix retime(const Eigen::Ref<const FrameMatrix>& rows, const Eigen::Ref<c
     throw InvalidArgument("log_time_warp", std::to_string(rows.rows()) + " elements",
                           std::to_string(log_time_warp.size()));
   }
+  return math::sample_rows(rows, invert(retimed_moments(log_time_warp)));
+}
+
+Eigen::VectorXd retimed_moments(const Eigen::Ref<const Eigen::VectorXd>& log_time_warp) {
   if (!log_time_warp.allFinite()) throw InvalidArgument("log_time_warp", "finite numbers", "NaN or infinity");
   const Eigen::VectorXd warp = log_time_warp.cwiseMax(-kLargestLogTimeWarp).cwiseMin(kLargestLogTimeWarp).array().exp();
-  return math::sample_rows(rows, invert(output_times(warp)));
+  Eigen::VectorXd moments = Eigen::VectorXd::Zero(warp.size());
+  for (Eigen::Index i = 1; i < moments.size(); ++i) moments[i] = moments[i - 1] + 0.5 * (warp[i - 1] + warp[i]);
+  return moments;
 }
 
 }  // namespace strut::representation

@@ -286,6 +286,30 @@ TEST_F(FragmentDatabaseTest, OneBadLabelKeepsAllOut) {
   EXPECT_TRUE(database.labels().empty());
 }
 
+TEST_F(FragmentDatabaseTest, TakesBackARatersOwnLastLabel) {
+  FragmentDatabase database = filled();
+  LabelRecord formula = label(kFirstFragment, "eve", 0.9, "2026-03-03T12:00:00Z");
+  formula.source = LabelSource::kSynthetic;
+  database.add_labels({label(kFirstFragment, "eve", 0.4, kNoon), label({TargetKind::kFragment, 2}, "eve", 0.6, kNoon),
+                       label(kFirstFragment, "kim", -0.5, kNoon), formula});
+  const auto removed = database.remove_last_label("eve");
+  ASSERT_TRUE(removed);
+  EXPECT_EQ(removed->target.id, 2);
+  EXPECT_EQ(removed->rating[kFlow], 0.6);
+  EXPECT_EQ(database.labels().size(), 3U);
+  EXPECT_EQ(database.remove_last_label("eve")->target, kFirstFragment);
+  EXPECT_FALSE(database.remove_last_label("eve")) << "a formula's label is nobody's to take back";
+  EXPECT_FALSE(database.remove_last_label("nobody"));
+  EXPECT_EQ(database.labels().size(), 2U);
+}
+
+TEST_F(FragmentDatabaseTest, TakesNothingBackWhenOpenedForReading) {
+  filled().add_labels({label(kFirstFragment, "eve", 0.4, kNoon)});
+  FragmentDatabase database = FragmentDatabase::open(path_);
+  EXPECT_THROW(database.remove_last_label("eve"), FileError);
+  EXPECT_EQ(database.labels().size(), 1U);
+}
+
 TEST_F(FragmentDatabaseTest, AveragesWithinARaterFirst) {
   FragmentDatabase database = filled();
   LabelRecord repeat = label(kFirstFragment, "eve", 0.6, "2026-03-02T12:00:00Z");

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Any text as a pair list: it is read or refused with a ParseError, nothing else. What was read is written again and
-// must read as the same pairs.
+// must read as the same pairs with the same comments.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <strut/core/error.h>
 #include <strut/io/pair_list.h>
@@ -24,21 +26,27 @@ bool is_same(const strut::PairedClip& a, const strut::PairedClip& b) {
          a.frames == b.frames;
 }
 
+bool are_same(const std::vector<strut::PairListEntry>& a, const std::vector<strut::PairListEntry>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return is_same(x.input, y.input) && is_same(x.output, y.output) && x.comment == y.comment;
+  });
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  std::vector<strut::PairListEntry> pairs;
+  strut::PairList list;
   try {
-    pairs = strut::parse_pair_list({reinterpret_cast<const char*>(bytes), size}, kPath);
+    list = strut::parse_annotated_pair_list({reinterpret_cast<const char*>(bytes), size}, kPath);
   } catch (const strut::ParseError&) {
     return 0;
   }
-  const auto again = strut::parse_pair_list(strut::format_pair_list(pairs, kPath, "heading"), kPath);
-  require(again.size() == pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    require(is_same(pairs[i].input, again[i].input) && is_same(pairs[i].output, again[i].output));
+  const auto again = strut::parse_annotated_pair_list(strut::format_pair_list(list, kPath), kPath);
+  require(are_same(list.pairs, again.pairs) && are_same(list.rejected, again.rejected));
+  require(list.heading == again.heading && list.ending == again.ending);
+  for (const strut::PairListEntry& pair : list.pairs) {
     try {
-      strut::frames_within(pairs[i].input, 100, kPath);
+      strut::frames_within(pair.input, 100, kPath);
     } catch (const strut::ParseError&) {
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/data.h"
 
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include <strut/core/error.h>
@@ -58,6 +60,86 @@ TEST(PairList, IsReadBackAsWritten) {
   EXPECT_EQ(text.rfind("# heading\n#\n# in lines\n", 0), 0U);
   EXPECT_NE(text.find("input = \"sub/c.bvh\""), std::string::npos);
   EXPECT_THROW(write_pair_list(path, pairs), FileError);  // it is there already
+}
+
+const char* const kAnnotated = R"(# What this list is.
+#
+#   with an indented "line" # and another mark
+
+# left cycle; distance 0.05
+# accepted
+[[pair]]
+input = "a#1.bvh"   # quoted marks begin no comment
+output = """
+b#2.bvh"""
+# between the keys
+
+# of the second
+
+# after a gap
+[[pair]]
+input = 'c"#.bvh'
+output = "d\"#.bvh"
+input_frames = [1, # begin
+  9]
+# at the end
+)";
+
+TEST(PairList, KeepsEveryComment) {
+  const PairList list = parse_annotated_pair_list(kAnnotated, "p.toml");
+  EXPECT_EQ(list.heading, "What this list is.\n\n  with an indented \"line\" # and another mark");
+  ASSERT_EQ(list.pairs.size(), 2U);
+  EXPECT_EQ(list.pairs[0].comment, "left cycle; distance 0.05\naccepted\nquoted marks begin no comment");
+  EXPECT_EQ(list.pairs[1].comment, "between the keys\n\nof the second\n\nafter a gap\nbegin");
+  EXPECT_EQ(list.ending, "at the end");
+  EXPECT_TRUE(list.rejected.empty());
+}
+
+void expect_same(const std::vector<PairListEntry>& a, const std::vector<PairListEntry>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].comment, b[i].comment);
+    EXPECT_EQ(a[i].input.path, b[i].input.path);
+    EXPECT_EQ(a[i].output.path, b[i].output.path);
+    EXPECT_EQ(a[i].input.frames, b[i].input.frames);
+    EXPECT_EQ(a[i].output.frames, b[i].output.frames);
+  }
+}
+
+TEST(PairList, WithCommentsAndRejectedPairsIsReadBackAsWritten) {
+  PairList list = parse_annotated_pair_list(kAnnotated, "p.toml");
+  list.rejected = {list.pairs[1]};
+  list.rejected.push_back(list.pairs[0]);
+  list.pairs.pop_back();
+  const std::string text = format_pair_list(list, "p.toml");
+  const PairList again = parse_annotated_pair_list(text, "p.toml");
+  EXPECT_EQ(again.heading, list.heading);
+  EXPECT_EQ(again.ending, list.ending);
+  expect_same(again.pairs, list.pairs);
+  expect_same(again.rejected, list.rejected);
+  EXPECT_EQ(format_pair_list(again, "p.toml"), text);
+  EXPECT_EQ(parse_pair_list(text, "p.toml").size(), 1U);  // what is learnt from
+}
+
+TEST(PairList, RejectedPairComesBackWhenItsMarksAreTakenAway) {
+  PairList list = parse_annotated_pair_list(kAnnotated, "p.toml");
+  list.rejected = {list.pairs[1]};
+  list.pairs.pop_back();
+  const std::string text = format_pair_list(list, "p.toml");
+  const std::string mark = "# [[pair]]";
+  std::string freed = text.substr(0, text.find(mark));
+  std::istringstream rest(text.substr(freed.size()));
+  for (std::string line; std::getline(rest, line);) freed += line.substr(2) + "\n";
+  EXPECT_EQ(parse_pair_list(freed, "p.toml").size(), 2U);
+}
+
+TEST(PairList, LeavesWordsThatAreNoPairsAtTheEndAsTheyAre) {
+  const PairList rejected{{}, parse_pair_list(kList, "p.toml"), parse_pair_list(kList, "p.toml"), {}};
+  const std::string text = format_pair_list(rejected, "p.toml") + "# and here a person wrote a line\n";
+  const PairList list = parse_annotated_pair_list(text, "p.toml");
+  EXPECT_TRUE(list.rejected.empty());
+  EXPECT_NE(list.ending.find("[[pair]]"), std::string::npos);
+  EXPECT_EQ(format_pair_list(list, "p.toml"), text);
 }
 
 struct Fault {
@@ -128,7 +210,7 @@ TEST(PairList, ChecksFramesAgainstTheClip) {
 }
 
 TEST(PairList, IsNotWrittenEmptyOrReversed) {
-  EXPECT_THROW(format_pair_list({}, "p.toml"), InvalidArgument);
+  EXPECT_THROW(format_pair_list(std::vector<PairListEntry>{}, "p.toml"), InvalidArgument);
   PairListEntry reversed;
   reversed.input = {"a.bvh", motion::FrameRange{5, 5}};
   reversed.output = {"b.bvh", std::nullopt};

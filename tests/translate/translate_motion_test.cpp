@@ -2,6 +2,7 @@
 #include "support/allocations.h"
 #include "support/small_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -39,6 +40,30 @@ TEST(TranslateMotion, ResamplesOtherFrameRatesThereAndBack) {
   EXPECT_EQ(result.frame_rate(), 120.0);
   EXPECT_NEAR(result.duration(), clip.duration(), 0.05);
   EXPECT_EQ(diagnostics.entries().size(), 1U);
+}
+
+constexpr double kMoment = 1e-9;  // rounding [frames]
+
+TEST(TranslateMotion, TellsTheMomentsOfTheOutputThatBelongToTheInput) {
+  const Motion clip = test::turning_motion(30.0, 3.0);
+  const std::vector<std::shared_ptr<const StyleModel>> slower{test::copying_model(clip, std::log(1.5))};
+  const Translation result = translate_with_moments(slower, clip);
+  ASSERT_EQ(result.moments.size(), clip.num_frames());
+  for (int frame = 0; frame < clip.num_frames(); ++frame) {
+    EXPECT_NEAR(result.moments[frame], std::min(1.5 * frame, result.motion.num_frames() - 1.0), kMoment) << frame;
+  }
+  const Translation untimed = translate_with_moments(slower, clip, {.retime = false});
+  for (int frame = 0; frame < clip.num_frames(); ++frame) EXPECT_NEAR(untimed.moments[frame], frame, kMoment);
+}
+
+TEST(TranslateMotion, TellsMomentsInTheClipsOwnFramesWhateverTheModelsRate) {
+  const Motion clip = test::turning_motion(120.0, 3.0);
+  const std::vector<std::shared_ptr<const StyleModel>> faster{
+      test::copying_model(motion::resample(clip, 30.0), std::log(0.5))};
+  const Translation result = translate_with_moments(faster, clip);
+  ASSERT_EQ(result.moments.size(), clip.num_frames());
+  for (const int frame : {0, 1, 2, 100, 250}) EXPECT_NEAR(result.moments[frame], 0.5 * frame, kMoment);
+  EXPECT_LE(result.moments[clip.num_frames() - 1], result.motion.num_frames() - 1.0);
 }
 
 TEST(TranslateMotion, IsTheTranslatorFrameByFrameToTheBit) {

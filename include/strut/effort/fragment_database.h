@@ -220,6 +220,9 @@ class FragmentDatabase {
   /// rater, a time that is not ISO 8601, a rating outside [-1, 1] or of a factor said not to be present, no rating at
   /// all, or a comment of several lines.
   int add_labels(const std::vector<LabelRecord>& labels);
+  /// Takes back the label that the person `rater` gave last, and nobody else's: what it was; nothing if the rater has
+  /// given none.
+  std::optional<LabelRecord> remove_last_label(const std::string& rater);
   /// By id. People's and synthetic raters' labels; never estimates.
   [[nodiscard]] std::vector<LabelRecord> labels() const;
   /// By target: people's labels, never mixed with synthetic ones; or, if a rater is named, all of that rater alone,

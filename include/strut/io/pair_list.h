@@ -7,6 +7,9 @@
 //   output = "elderly_001.bvh"
 //   input_frames = [30, 96]       # optional: from 0, end not included
 //   output_frames = [41, 104]
+//
+// Comments are a person's and are kept when a list is read and written again. Pairs that a person rejected stand at the
+// end as comments, so that taking the "# " away brings them back.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +34,15 @@ struct PairedClip {
 struct PairListEntry {
   PairedClip input;
   PairedClip output;
-  std::string comment;  ///< written above the pair for a person to read, one or more lines; not read back
+  std::string comment;  ///< above the pair for a person to read, one or more lines; comments inside it are added to it
+};
+
+/// A list with all that a person sees in it.
+struct PairList {
+  std::string heading;                  ///< the comment at its top, which a blank line parts from the first pair's
+  std::vector<PairListEntry> pairs;     ///< what is learnt from
+  std::vector<PairListEntry> rejected;  ///< commented out at the end
+  std::string ending;                   ///< the comment after the last pair
 };
 
 /// Reads a pair list.
@@ -43,6 +54,9 @@ std::vector<PairListEntry> read_pair_list(const std::string& path);
 /// The same from text; `path` stands for the file in messages, and its folder is what paths are relative to.
 std::vector<PairListEntry> parse_pair_list(std::string_view text, const std::string& path);
 
+/// The same with every comment: none is lost, those inside a pair are kept above it. Throws as parse_pair_list.
+PairList parse_annotated_pair_list(std::string_view text, const std::string& path);
+
 /// The frames that `clip` of the list at `list_path` names in a clip of `num_frames` frames.
 /// Throws ParseError, pointing into the list, if they reach beyond the clip or the clip has no frame.
 motion::FrameRange frames_within(const PairedClip& clip, int num_frames, const std::string& list_path);
@@ -52,6 +66,9 @@ motion::FrameRange frames_within(const PairedClip& clip, int num_frames, const s
 /// Throws InvalidArgument if there is no pair or a range of frames is negative, reversed or empty.
 std::string format_pair_list(const std::vector<PairListEntry>& pairs, const std::string& path,
                              const std::string& heading = {});
+
+/// The same of a list with its comments; parse_annotated_pair_list gives them back, but for blank lines at their ends.
+std::string format_pair_list(const PairList& list, const std::string& path);
 
 /// Writes format_pair_list's text to `path`, all or nothing. Throws also FileError.
 void write_pair_list(const std::string& path, const std::vector<PairListEntry>& pairs, const std::string& heading = {},

@@ -17,4 +17,8 @@ inline constexpr double kLargestLogTimeWarp = 3.0;
 /// warp is not finite. Cost O((frames + output frames) x dofs).
 FrameMatrix retime(const Eigen::Ref<const FrameMatrix>& rows, const Eigen::Ref<const Eigen::VectorXd>& log_time_warp);
 
+/// When each input frame comes in what `retime` gives [output frames]: the first at 0, each later than the one before.
+/// Throws InvalidArgument as `retime` does. Cost O(frames).
+Eigen::VectorXd retimed_moments(const Eigen::Ref<const Eigen::VectorXd>& log_time_warp);
+
 }  // namespace strut::representation

@@ -18,6 +18,7 @@ import { FailureBanner } from './failure_banner';
 import { FileList } from './file_list';
 import { LabelPanel } from './label_panel';
 import { ModeTabs } from './mode_tabs';
+import { PairStrips } from './pair_strips';
 import { PairsPanel } from './pairs_panel';
 import { ShortcutList } from './shortcut_list';
 import { Stage } from './stage';
@@ -152,6 +153,7 @@ export function App({ source }: { source: Source }) {
         </Column>
       )}
       <Stage />
+      {mode.value === 'pairs' && <PairStrips />}
       <Column name="controls">
         <Panel />
       </Column>

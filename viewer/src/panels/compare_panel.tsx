@@ -8,6 +8,7 @@ import { comparedActors } from '../state/compare';
 import { frameAt, time } from '../state/playback';
 import type { Shortcut } from '../state/shortcuts';
 import { type Actor, actors, type Step, step } from '../state/stage';
+import { FileName } from '../ui/file_name';
 import { ProblemNote } from '../ui/problem_note';
 import { Swatch } from '../ui/swatch';
 import { useShortcuts } from '../ui/use_shortcuts';
@@ -35,9 +36,10 @@ const KEYS: readonly Shortcut[] = [
 
 function StepChoice() {
   return (
-    <fieldset class="part">
-      <legend>In step by</legend>
-      <div class="choice">
+    <section class="part">
+      <h2 id="step-title">In step by</h2>
+      {/* biome-ignore lint/a11y/useSemanticElements: a fieldset's legend does not lie in a grid */}
+      <div class="choice" role="group" aria-labelledby="step-title">
         {STEPS.map((entry) => (
           <button
             type="button"
@@ -53,7 +55,7 @@ function StepChoice() {
         ))}
       </div>
       <p class="hint">{STEPS.find((entry) => entry.step === step.value)!.meaning}</p>
-    </fieldset>
+    </section>
   );
 }
 
@@ -95,7 +97,9 @@ function Shown({ actor, isReference }: { actor: Actor; isReference: boolean }) {
     <li>
       <p class="shown">
         <Swatch number={actor.colour} />
-        <span class="title">{actor.title}</span>
+        <span class="title">
+          <FileName name={actor.title} />
+        </span>
         <FrameShown key={actor.clip.id} actor={actor} />
       </p>
       {isReference ? (

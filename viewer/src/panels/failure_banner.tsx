@@ -14,8 +14,8 @@ function Gone() {
   return (
     <div class="problem">
       <p>
-        <b>The program does not answer any more.</b> What the page shows stays; nothing that was saved is lost. If
-        `strut view` has ended, start it again with the same files: with the same --port and --token this page goes on.
+        <b>The program does not answer any more.</b> What the page shows stays, and nothing that was saved is lost. If
+        `strut view` has ended, start it again with the same files and open the address it prints.
       </p>
       <button type="button" disabled={isTrying.value} onClick={retry}>
         {isTrying.value ? 'Asking…' : 'Try again'}

@@ -7,6 +7,7 @@ import { clipsListedBy, type FileGroup, fileGroups } from '../state/file_groups'
 import { loadedClips, mode, namedClips, numLoading, problems, session } from '../state/session';
 import { actors } from '../state/stage';
 import { written } from '../state/ticks';
+import { FileName } from '../ui/file_name';
 import { ProblemNote } from '../ui/problem_note';
 import { Swatch } from '../ui/swatch';
 import './file_list.css';
@@ -61,7 +62,7 @@ function ClipChoice({ file }: { file: FileEntry }) {
           onChange={(event) => choose(file.id, event.currentTarget.checked)}
         />
         <Swatch number={numberOf(file.id)} />
-        <span>{file.name}</span>
+        <FileName name={file.name} />
       </label>
       {isOn && chosen.value.length > 1 && (
         <button
@@ -86,7 +87,7 @@ function Clip({ file }: { file: FileEntry }) {
       ) : (
         <p class="name">
           <Swatch number={numberOf(file.id)} />
-          <span>{file.name}</span>
+          <FileName name={file.name} />
         </p>
       )}
       <ClipFacts id={file.id} />
@@ -114,7 +115,7 @@ function OtherFile({ file }: { file: FileEntry }) {
   return (
     <li title={file.path}>
       <p class="name">
-        <span>{file.name}</span>
+        <FileName name={file.name} />
       </p>
       {problems.value.has(file.id) && <ProblemNote problem={problems.value.get(file.id)!} />}
       <ListedClips list={file} />

@@ -7,10 +7,13 @@ import { useEffect, useRef } from 'preact/hooks';
 import * as playback from '../state/playback';
 import { duration, frameRange, frameRate, isPlaying, loop, seek, time } from '../state/playback';
 import { actors } from '../state/stage';
-import { ticksOf, written } from '../state/ticks';
+import { tickName, ticksOf, written } from '../state/ticks';
 
 /** Where an element will be. */
 type Place = RefObject<HTMLDivElement | null>;
+
+/** What a name of a tick takes [px]. */
+const NAME_WIDTH = 70;
 
 const FEET = ['left', 'right'] as const;
 
@@ -28,6 +31,7 @@ function momentUnder(bar: HTMLElement, event: PointerEvent): number {
 function Ticks({ width }: { width: number }) {
   const { named, fine } = ticksOf(duration.value, frameRate.value, width);
   const fps = frameRate.value;
+  const hasRoom = (at: number) => ((duration.value - at) / duration.value) * width > NAME_WIDTH;
   return (
     <div class="ticks" aria-hidden="true">
       {fine.map((at) => (
@@ -35,7 +39,8 @@ function Ticks({ width }: { width: number }) {
       ))}
       {named.map((at) => (
         <span key={at} style={{ left: percent(at) }}>
-          {written(at).replace(/\.?0+$/, '')} s<small>{Math.round(at * fps)}</small>
+          {hasRoom(at) && tickName(at)}
+          {hasRoom(at) && <small>{Math.round(at * fps)}</small>}
         </span>
       ))}
     </div>

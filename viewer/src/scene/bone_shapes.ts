@@ -7,14 +7,11 @@ import type { Side } from '../data/types';
 /** Where along a bone (0..1) it is how thick (0..1). */
 const ROUND: readonly (readonly [at: number, radius: number])[] = [
   [0, 0.0],
-  [0.02, 0.34],
-  [0.07, 0.68],
-  [0.16, 0.95],
+  [0.03, 0.44],
+  [0.12, 0.85],
   [0.24, 1],
-  [0.45, 0.86],
-  [0.75, 0.62],
-  [0.94, 0.44],
-  [0.985, 0.28],
+  [0.5, 0.84],
+  [0.92, 0.46],
   [1, 0],
 ];
 /** Bands lie between two rings of equal brightness. */
@@ -70,7 +67,7 @@ function plain(geometry: THREE.BufferGeometry): THREE.BufferGeometry {
 export function boneShape(side: Side): THREE.BufferGeometry {
   switch (side) {
     case 'left':
-      return plain(new THREE.LatheGeometry(profile(ROUND), 14));
+      return plain(new THREE.LatheGeometry(profile(ROUND), 12));
     case 'right':
       return banded(faceted(new THREE.LatheGeometry(profile(ANGULAR), 4, Math.PI / 4)));
     case 'centre':
@@ -79,7 +76,7 @@ export function boneShape(side: Side): THREE.BufferGeometry {
 }
 
 export function jointShape(): THREE.BufferGeometry {
-  return new THREE.IcosahedronGeometry(1, 3);
+  return new THREE.SphereGeometry(1, 12, 8);
 }
 
 /** An egg along +Y from 0 to 1. */

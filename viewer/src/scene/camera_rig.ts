@@ -24,6 +24,11 @@ interface Glide {
   done: number;
 }
 
+function shift(place: THREE.Vector3, dx: number, dz: number): void {
+  place.x += dx;
+  place.z += dz;
+}
+
 export class CameraRig {
   readonly camera = new THREE.PerspectiveCamera(FOV, 1, 0.05, 150);
   readonly controls: OrbitControls;
@@ -57,15 +62,11 @@ export class CameraRig {
     const dz = z - this.middle.z;
     this.middle.set(x, 0, z);
     if (!follows || (dx === 0 && dz === 0)) return;
-    for (const place of [this.camera.position, this.controls.target]) {
-      place.x += dx;
-      place.z += dz;
-    }
+    shift(this.camera.position, dx, dz);
+    shift(this.controls.target, dx, dz);
     if (!this.glide) return;
-    for (const place of [this.glide.fromTarget, this.glide.toTarget]) {
-      place.x += dx;
-      place.z += dz;
-    }
+    shift(this.glide.fromTarget, dx, dz);
+    shift(this.glide.toTarget, dx, dz);
   }
 
   /** Looks at all of `points` [n][3] (relative to the middle): from where it looks now, or as `view` says when the first
@@ -84,6 +85,7 @@ export class CameraRig {
     );
     const toTarget = new THREE.Vector3(...target).add(this.middle);
     this.glide = { fromTarget: this.controls.target.clone(), toTarget, from, to, done: glides ? 0 : 1 };
+    if (!glides) this.update(0);
   }
 
   private directionOf(view: View, heading: number, now: THREE.Spherical): Direction {

@@ -66,6 +66,8 @@ export class Figure {
     this.jointPoints = Int32Array.from(points);
     this.jointRadii = Float32Array.from(points, (i) => thickness.get(i) ?? 0.02 * size);
     this.joints = instances(jointShape(), points.length);
+    // Bones and head make the whole shadow.
+    this.joints.castShadow = false;
     this.object.add(...this.meshes());
   }
 

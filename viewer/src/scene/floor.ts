@@ -3,9 +3,8 @@
 import * as THREE from 'three';
 import type { Theme } from './theme';
 
-const SIZE = 80;
-/** Half the side of the square about the middle in which shadows fall [m]. */
-const SHADOW_REACH = 4;
+/** The side of the square in which the grid is drawn [m]; it has faded away before. */
+const SIZE = 46;
 const SHADOW_PIXELS = 1024;
 
 const GRID_VERTEX = /* glsl */ `
@@ -37,8 +36,8 @@ const GRID_FRAGMENT = /* glsl */ `
     #include <colorspace_fragment>
   }`;
 
-function plane(material: THREE.Material, order: number): THREE.Mesh {
-  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(SIZE, SIZE).rotateX(-Math.PI / 2), material);
+function plane(material: THREE.Material, size: number, order: number): THREE.Mesh {
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(size, size).rotateX(-Math.PI / 2), material);
   mesh.renderOrder = order;
   mesh.frustumCulled = false;
   return mesh;
@@ -63,8 +62,6 @@ function shadowLight(): THREE.DirectionalLight {
   light.shadow.radius = 3;
   light.shadow.bias = -0.002;
   const { camera } = light.shadow;
-  camera.left = camera.bottom = -SHADOW_REACH;
-  camera.right = camera.top = SHADOW_REACH;
   camera.near = 0.5;
   camera.far = 20;
   return light;
@@ -72,8 +69,8 @@ function shadowLight(): THREE.DirectionalLight {
 
 export class Floor {
   readonly object = new THREE.Group();
-  private readonly grid = plane(gridMaterial(), 0);
-  private readonly shadow = plane(new THREE.ShadowMaterial({ opacity: 0.3, depthWrite: false }), 4);
+  private readonly grid = plane(gridMaterial(), SIZE, 0);
+  private readonly shadow = plane(new THREE.ShadowMaterial({ opacity: 0.3, depthWrite: false }), 2, 4);
   private readonly light = shadowLight();
 
   constructor() {
@@ -88,19 +85,18 @@ export class Floor {
     this.grid.visible = showsGrid;
   }
 
-  /** Keeps floor, light and shadows about the middle of what is shown, `reach` metres to every side. */
+  /** Keeps the floor about the middle of what is shown, and the shadows that fall `reach` metres to every side of it. */
   follow(x: number, z: number, reach: number): void {
-    // The planes go by whole metres; the lines do not move, as they are drawn where they are in the world.
-    const steadyX = Math.round(x);
-    const steadyZ = Math.round(z);
-    this.grid.position.set(steadyX, 0, steadyZ);
-    this.shadow.position.set(steadyX, 0, steadyZ);
+    // The plane goes along; its lines do not, as they are drawn where they are in the world.
+    this.grid.position.set(x, 0, z);
+    this.shadow.position.set(x, 0, z);
     ((this.grid.material as THREE.ShaderMaterial).uniforms.middle!.value as THREE.Vector2).set(x, z);
     this.light.target.position.set(x, 0, z);
     this.light.position.set(x + 1.2, 9, z + 0.8);
     const { camera } = this.light.shadow;
     const wanted = Math.max(2, Math.ceil(reach));
     if (camera.right === wanted) return;
+    this.shadow.scale.set(wanted, 1, wanted);
     camera.left = camera.bottom = -wanted;
     camera.right = camera.top = wanted;
     camera.updateProjectionMatrix();

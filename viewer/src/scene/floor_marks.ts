@@ -32,8 +32,11 @@ function marks(geometry: THREE.BufferGeometry, material: THREE.Material, order: 
 const PLANT_VERTEX = /* glsl */ `
   attribute vec4 mark;
   attribute vec3 span;
+  uniform float now;
+  uniform float reach;
   varying vec2 at;
   varying vec3 when;
+  varying float near;
   void main() {
     at = uv;
     when = span;
@@ -41,6 +44,9 @@ const PLANT_VERTEX = /* glsl */ `
     vec2 left = vec2(ahead.y, -ahead.x) * 0.46;
     vec2 place = mark.xy + position.z * ahead + position.x * left;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(place.x, 0.0, place.y, 1.0);
+    float away = max(span.x - now, now - span.y) / reach;
+    near = 1.0 - smoothstep(0.6, 1.0, away);
+    if (away > 1.0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   }`;
 
 const PLANT_FRAGMENT = /* glsl */ `
@@ -50,12 +56,13 @@ const PLANT_FRAGMENT = /* glsl */ `
   uniform vec3 right;
   varying vec2 at;
   varying vec3 when;
+  varying float near;
   void main() {
     vec4 foot = texture2D(feet, vec2((at.x + when.z) * 0.5, at.y));
     float stands = step(when.x, now) * (1.0 - step(when.y, now));
     float past = step(when.y, now);
     float faint = max(foot.r * mix(0.42, 0.6, past), foot.g * 0.1 * past);
-    float alpha = mix(faint, max(foot.r, foot.g * 0.55), stands);
+    float alpha = near * mix(faint, max(foot.r, foot.g * 0.55), stands);
     gl_FragColor = vec4(when.z < 0.5 ? left : right, alpha);
     #include <colorspace_fragment>
   }`;
@@ -114,6 +121,9 @@ function feetTexture(): THREE.CanvasTexture {
   return texture;
 }
 
+/** Plants that are longer ago, or to come, are not shown [s]: in a long clip one could not make out any. */
+const REACH = 15;
+
 /** The footplants of a clip. */
 export class PlantView {
   readonly object: THREE.Mesh;
@@ -121,12 +131,14 @@ export class PlantView {
   private readonly uniforms = {
     feet: { value: this.texture },
     now: { value: 0 },
+    reach: { value: 0 },
     left: { value: new THREE.Color() },
     right: { value: new THREE.Color() },
   };
 
   constructor(clip: Clip) {
     const { places, spans } = plantMarks(clip);
+    this.uniforms.reach.value = REACH * clip.header.frameRate;
     const geometry = square();
     geometry.setAttribute('mark', new THREE.InstancedBufferAttribute(places, 4));
     geometry.setAttribute('span', new THREE.InstancedBufferAttribute(spans, 3));

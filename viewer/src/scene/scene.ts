@@ -116,9 +116,8 @@ class SceneView {
         void [time.value, isPlaying.value, step.value, alignments.value, trailLength.value];
         this.request();
       }),
-      effect(() => {
-        if (followsRoot.value) this.rig.recentre(!this.calm.matches);
-        this.request();
+      followsRoot.subscribe((follows) => {
+        if (follows && this.fitted !== '') this.recentre();
       }),
     );
   }
@@ -177,6 +176,12 @@ class SceneView {
     this.request();
   }
 
+  /** Following begins where the bodies are, wherever one looked meanwhile. */
+  private recentre(): void {
+    this.rig.recentre(!this.calm.matches);
+    this.request();
+  }
+
   private lookAsWanted(): void {
     const wanted = wantedView.value;
     if (wanted) this.show(wanted.view);
@@ -209,7 +214,6 @@ class SceneView {
 
   /** Puts everything where it is now; true while the camera moves by itself. */
   private update(seconds: number): boolean {
-    const { x, z } = this.cast.middle;
     this.cast.update(time.peek(), trailLength.peek());
     this.rig.follow(this.cast.middle.x, this.cast.middle.z, followsRoot.peek());
     const isMoving = this.rig.update(seconds);
@@ -217,7 +221,7 @@ class SceneView {
     this.rig.camera.updateMatrixWorld();
     for (const view of this.cast.views) view.updateLabel(this.rig.camera, ...this.size);
     if (this.pointer || hoveredJoint.peek()) this.showHovered();
-    return isMoving || x !== this.cast.middle.x || z !== this.cast.middle.z;
+    return isMoving;
   }
 
   private readonly moved = (at: readonly [number, number] | null): void => {

@@ -72,6 +72,8 @@ export class Trail {
     const ball = new THREE.SphereGeometry(1, 20, 14);
     this.mark = new THREE.Mesh(ball, new THREE.MeshBasicMaterial());
     this.halo = new THREE.Mesh(ball, new THREE.MeshBasicMaterial({ side: THREE.BackSide }));
+    this.mark.scale.setScalar(MARK);
+    this.halo.scale.setScalar(MARK * 1.35);
     this.object.add(this.mark, this.halo);
     if (moments.length < 2) return;
     this.geometry.setPositions(positions);
@@ -96,9 +98,8 @@ export class Trail {
     now!.value = frame;
     fades!.value = seconds === null ? 0 : 1;
     const at = 3 * this.point;
-    for (const ball of [this.mark, this.halo]) ball.position.set(pose[at]!, pose[at + 1]!, pose[at + 2]!);
-    this.mark.scale.setScalar(MARK);
-    this.halo.scale.setScalar(MARK * 1.35);
+    this.mark.position.set(pose[at]!, pose[at + 1]!, pose[at + 2]!);
+    this.halo.position.copy(this.mark.position);
   }
 
   dispose(): void {

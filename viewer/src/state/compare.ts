@@ -3,7 +3,7 @@
 // person takes them off; the first one is the reference.
 import { computed, effect, signal } from '@preact/signals';
 import { numbered } from './looks';
-import { loadClip, loadedClips, namedClips, session } from './session';
+import { loadClip, loadedClips, namedClips, problems, session } from './session';
 import type { Actor } from './stage';
 
 /** More named clips than this are not put on the stage of themselves: one could not tell them apart. */
@@ -19,7 +19,8 @@ const added = signal<readonly string[]>([]);
 /** The ids of what is on the stage or will be when it has come, the reference first. */
 export const chosen = computed<readonly string[]>(() => {
   const named = namedClips.value.map((file) => file.id);
-  const isThere = (id: string) => session.value?.files.some((file) => file.id === id) && !hidden.value.has(id);
+  const ids = new Set(session.value?.files.map((file) => file.id));
+  const isThere = (id: string) => ids.has(id) && !hidden.value.has(id) && !problems.value.has(id);
   const all = [...named.slice(0, MOST_AT_FIRST), ...added.value].filter(isThere);
   const first = order.value.filter((id) => all.includes(id));
   return [...new Set([...first, ...all])];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from 'vitest';
-import { readSeconds, ticksOf, written } from './ticks';
+import { readSeconds, tickName, ticksOf, written } from './ticks';
 
 describe('ticks', () => {
   it('of a short clip on a wide bar mark every frame', () => {
@@ -19,6 +19,12 @@ describe('ticks', () => {
   });
   it('are few however long it lasts', () => {
     expect(ticksOf(1e5, 30, 300).named.length).toBeLessThan(40);
+  });
+});
+
+describe('names of ticks', () => {
+  it('have no more digits than they need', () => {
+    expect([0, 0.5, 10, 60, 90, 600].map(tickName)).toEqual(['0 s', '0.5 s', '10 s', '1:00', '1:30', '10:00']);
   });
 });
 

@@ -36,6 +36,11 @@ export function written(seconds: number): string {
   return `${Math.floor(hundredths / 6000)}:${((hundredths % 6000) / 100).toFixed(2).padStart(5, '0')}`;
 }
 
+/** What a tick is named: 0.5 s, 20 s, 1:30. */
+export function tickName(seconds: number): string {
+  return written(seconds).replace(/\.?0+$/, '') + (seconds < 60 ? ' s' : '');
+}
+
 /** The seconds that a person wrote: 4.25 or 1:04.25, also with a comma or "s"; no number if it is none. */
 export function readSeconds(text: string): number {
   const match = /^\s*(?:(\d+):)?(\d*[.,]?\d+|\d+[.,]?)\s*s?\s*$/.exec(text);

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What becomes of the result: saved as BVH, or its command taken to a terminal; and one step back or forth.
+import { useSignal } from '@preact/signals';
+import * as translating from '../translate/translating';
+
+const { canRedo, canUndo, result, settings } = translating;
+
+/** Lets the browser save a file. */
+function download(name: string, content: Blob): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  // The browser takes the address over at once, but not within the click.
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+async function save(): Promise<void> {
+  try {
+    const { name, content } = await translating.fileOf(settings.peek());
+    download(name, content);
+  } catch (error) {
+    translating.tellProblem(error);
+  }
+}
+
+export function TranslateOutput() {
+  const command = useSignal('');
+  const isCopied = useSignal(false);
+  const copy = async () => {
+    isCopied.value = false;
+    try {
+      command.value = (await translating.commandOf(settings.peek())).command;
+    } catch (error) {
+      return translating.tellProblem(error);
+    }
+    // Where the browser does not allow it, the command stands there to be copied by hand.
+    isCopied.value = await navigator.clipboard.writeText(command.value).then(
+      () => true,
+      () => false,
+    );
+  };
+  return (
+    <section class="part">
+      <h2>Result</h2>
+      <div class="row">
+        <button type="button" class="primary" disabled={!result.value} onClick={() => void save()}>
+          Save as BVH
+        </button>
+        <button type="button" disabled={!result.value} onClick={() => void copy()}>
+          Copy command
+        </button>
+        <button type="button" disabled={!canUndo.value} title="Undo (Ctrl+Z)" onClick={translating.undo}>
+          Undo
+        </button>
+        <button type="button" disabled={!canRedo.value} title="Redo (Ctrl+Shift+Z)" onClick={translating.redo}>
+          Redo
+        </button>
+      </div>
+      {command.value && (
+        <>
+          <p class="hint" role="status">
+            {isCopied.value ? 'Copied:' : 'The command that writes the same file:'}
+          </p>
+          <code class="translate-command">{command.value}</code>
+        </>
+      )}
+    </section>
+  );
+}
