@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import type { Extreme, Figure } from '../data/types';
 import { isPlaying, seek } from '../state/playback';
 import { actors } from '../state/stage';
 import { Swatch } from '../ui/swatch';
@@ -6,6 +7,12 @@ import { type FigureCell, type FigureRow, figureRows, type Mark, momentOf, shown
 import './figures.css';
 
 const MARKS: Record<NonNullable<Mark>, string> = { best: '✓ best', worst: '✗ worst' };
+
+/** Numbers and their units stay in one line. The figure itself is not said twice. */
+function told(figure: Figure, { what, value, unit, joint, time }: Extreme): string {
+  const size = value === figure.value ? '' : ` ${shown(value)}\u00a0${unit},`;
+  return `${what}${size}${joint ? ` ${joint},` : ''} ${time.toFixed(2)}\u00a0s`;
+}
 
 /** Where the figure is at its most extreme; goes there. */
 function ExtremeLink({ actor, figure }: FigureCell) {
@@ -17,8 +24,7 @@ function ExtremeLink({ actor, figure }: FigureCell) {
   };
   return (
     <button type="button" class="place" onClick={go} title={`Show frame ${extreme.frame} of ${actor.title}`}>
-      {extreme.what} {shown(extreme.value)} {extreme.unit}
-      {extreme.joint && `, ${extreme.joint}`}, {extreme.time.toFixed(2)} s
+      {told(figure, extreme)}
     </button>
   );
 }
