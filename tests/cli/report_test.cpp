@@ -92,6 +92,8 @@ class Report : public testing::Test {
     const Motion motion = test_motion(num_frames, 30.0, [=](Pose& pose, double t) {
       pose.translations[0].z() += metres_per_second * t;
       pose.translations[metrics::test::kHead].y() += 0.05 * std::sin(5.0 * t);
+      // An alignment goes by how joints turn.
+      pose.rotations[metrics::test::kHead] = Eigen::AngleAxisd(0.5 * std::sin(5.0 * t), Eigen::Vector3d::UnitX());
     });
     BvhLayout layout = default_layout(motion.skeleton());
     layout.channels.assign(layout.channels.size(), layout.channels.front());
