@@ -26,7 +26,7 @@ ClipFigure planted_slide(const Motion& motion, const ClipMeasures& measures) {
   }
   figure.value = kCmPerMetre * planted.speed;
   figure.note = fmt::format("{} footplant{}", measures.num_footplants, measures.num_footplants == 1 ? "" : "s");
-  figure.extreme = extreme(motion, "worst", kCmPerMetre * planted.worst_speed, kSpeed, planted.worst);
+  figure.extreme = extreme(motion, "highest", kCmPerMetre * planted.worst_speed, kSpeed, planted.worst);
   return figure;
 }
 
@@ -43,16 +43,16 @@ std::vector<ClipFigure> figures_of(const Motion& motion, const ClipMeasures& mea
        kSpeed,
        "less",
        {},
-       at("worst", kCmPerMetre * slide.worst_speed, kSpeed, slide.worst)},
+       at("highest", kCmPerMetre * slide.worst_speed, kSpeed, slide.worst)},
       planted_slide(motion, measures),
-      {"Jerk", smooth.jerk, kJerk, "less", {}, at("worst", smooth.worst_jerk, kJerk, smooth.worst)},
+      {"Jerk", smooth.jerk, kJerk, "less", {}, at("highest", smooth.worst_jerk, kJerk, smooth.worst)},
       {"Largest pop",
        kCmPerMetre * smooth.pop,
        "cm",
        "less",
        {},
-       at("there", kCmPerMetre * smooth.pop, "cm", smooth.worst_pop)},
-      {"Speed", gait.speed, "m/s", {}, {}, at("fastest", gait.top_speed, "m/s", gait.fastest)},
+       at("at", kCmPerMetre * smooth.pop, "cm", smooth.worst_pop)},
+      {"Speed", gait.speed, "m/s", {}, {}, at("highest", gait.top_speed, "m/s", gait.fastest)},
       {"Cadence", gait.cadence, "steps/s"}};
   if (gait.longest_step > 0.0) {
     figures.back().extreme = at("longest step", gait.longest_step, "s", gait.longest_step_begin);

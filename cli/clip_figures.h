@@ -37,7 +37,7 @@ std::string joint_name(const Motion& motion, int joint);
 
 /// Where a figure is at its most extreme.
 struct Extreme {
-  std::string what;    ///< "worst", "fastest", ...
+  std::string what;    ///< "highest", "longest step", ...
   double value = 0.0;  ///< in the figure's unit, unless it says otherwise
   std::string unit;
   std::string joint;  ///< empty if no single joint is meant

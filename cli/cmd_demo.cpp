@@ -2,15 +2,19 @@
 // strut demo: the whole job on clips of its own. A generated walker walks normally and with a limp; the limp is learnt
 // from those clips as anybody would learn it, put on a walk that was not among them, and compared with how the walker
 // itself limps that walk.
+#include "clip_figures.h"
 #include "commands.h"
-#include "demo_page.h"
+#include "demo_picture.h"
 #include "terminal.h"
+#include "view/report.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +27,7 @@
 #include <strut/learn/clip_pair.h>
 #include <strut/learn/learn_style.h>
 #include <strut/metrics/clip_distance.h>
-#include <strut/metrics/foot_slide.h>
 #include <strut/metrics/gait.h>
-#include <strut/metrics/smoothness.h>
 #include <strut/model/style_model_io.h>
 #include <strut/motion/legs.h>
 #include <strut/motion/resample.h>
@@ -43,6 +45,10 @@ using generate::WalkStyle;
 constexpr double kFrameRate = 30.0;   // of all clips, as most public motion has it
 constexpr double kLongestStep = 1.2;  // [s]; what takes longer is a pause, not a step
 constexpr double kPictureAt = 0.18;   // where in a clip the picture begins, of its duration
+
+constexpr const char* kLead =
+    "First a normal walk, then what strut made of it, then the true answer: the same steps as the walker really limps "
+    "them.";
 
 struct DemoOptions {
   std::string folder = "demo";
@@ -186,35 +192,28 @@ struct Result {
   Motion output, output_in_step;
 };
 
-std::vector<DemoFigure> figures_of(const Result& result) {
-  const Motion* motions[] = {&result.input.motion, &result.output, &result.truth.motion};
-  std::vector<metrics::BodyTrack> tracks;
-  for (const Motion* motion : motions) tracks.push_back(metrics::body_track(*motion, metrics::kComparisonRate));
+/// What only the demo can measure, as it knows the true answer; of input, output and true answer.
+std::vector<std::vector<ClipFigure>> figures_of(const Result& result) {
+  const std::array<const Motion*, 3> motions = {&result.input.motion, &result.output, &result.truth.motion};
+  const std::array<const Motion*, 2> in_step = {&result.input.motion, &result.output_in_step};
   const auto truth_frames = generate::true_correspondence(result.input, result.truth);
-  const auto angle = [&](const Motion& motion) {
-    return fmt::format("{:.1f}",
-                       joint_angle_error(motion, result.truth.motion, truth_frames) * 180.0 / std::numbers::pi);
-  };
-  const auto distance = [&](const metrics::BodyTrack& track) {
-    return fmt::format("{:.1f}", 100.0 * metrics::clip_distance(track, tracks[2]).distance);
-  };
-  const auto each = [&](auto measure) { return std::vector<std::string>{measure(0), measure(1), measure(2)}; };
-  return {{"Distance to the true answer [cm]", {distance(tracks[0]), distance(tracks[1]), "0"}},
-          {"Joint angles off the true answer [deg]", {angle(result.input.motion), angle(result.output_in_step), "0"}},
-          {"Duration [s]", each([&](int i) { return fmt::format("{:.2f}", motions[i]->duration()); })},
-          {"Cadence [steps/s]", each([&](int i) {
-             return fmt::format("{:.2f}", metrics::gait(tracks[static_cast<std::size_t>(i)]).cadence);
-           })},
-          {"Speed along the path [m/s]", each([&](int i) {
-             return fmt::format("{:.2f}",
-                                metrics::gait(tracks[static_cast<std::size_t>(i)]).travel / motions[i]->duration());
-           })},
-          {"Time of a step, bad foot over good foot",
-           each([&](int i) { return fmt::format("{:.2f}", step_time_ratio(*motions[i])); })},
-          {"Foot slide [cm/s]", each([&](int i) {
-             return fmt::format("{:.1f}", 100.0 * metrics::foot_slide(tracks[static_cast<std::size_t>(i)]).speed);
-           })},
-          {"Jerk [m/s^3]", each([&](int i) { return fmt::format("{:.0f}", metrics::smoothness(*motions[i]).jerk); })}};
+  const metrics::BodyTrack truth = metrics::body_track(result.truth.motion, metrics::kComparisonRate);
+  std::vector<std::vector<ClipFigure>> figures;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const metrics::BodyTrack track = metrics::body_track(*motions[i], metrics::kComparisonRate);
+    ClipFigure distance{.name = "Distance to the true answer", .value = {}, .unit = "cm", .better = "less"};
+    ClipFigure angles{.name = "Joint angles off the true answer", .value = {}, .unit = "deg", .better = "less"};
+    if (i < in_step.size()) {
+      distance.value = kCmPerMetre * metrics::clip_distance(track, truth).distance;
+      angles.value = joint_angle_error(*in_step[i], result.truth.motion, truth_frames) * 180.0 / std::numbers::pi;
+    }
+    figures.push_back({distance,
+                       angles,
+                       {"Duration", motions[i]->duration(), "s"},
+                       {"Speed along the path", metrics::gait(track).travel / motions[i]->duration(), "m/s"},
+                       {"Time of a step, bad over good foot", step_time_ratio(*motions[i]), ""}});
+  }
+  return figures;
 }
 
 /// The first landing of the left foot after kPictureAt of the clip [s].
@@ -227,15 +226,26 @@ double picture_begin(const DemoClip& clip) {
   return 0.0;
 }
 
-void print_figures(const DemoReport& report) {
-  fmt::print("\n{:40}", "");
-  for (const DemoClip& clip : report.clips) fmt::print("{:>14}", clip.title);
-  fmt::print("\n");
-  for (const DemoFigure& figure : report.figures) {
-    fmt::print("{:40}", figure.name);
-    for (const std::string& value : figure.values) fmt::print("{:>14}", value);
-    fmt::print("\n");
+std::string in_words(const std::optional<double>& value) {
+  if (!value) return "-";
+  return fmt::format("{:.{}f}", *value, std::abs(*value) < 9.995 ? 2 : 1);
+}
+
+void print_figures(const std::vector<ReportClip>& clips) {
+  std::vector<std::vector<ClipFigure>> columns;
+  fmt::print("\n{:46}", "");
+  for (const ReportClip& clip : clips) {
+    fmt::print("{:>14}", clip.name);
+    columns.push_back(clip.figures);
+    const auto measured = clip_figures(clip.motion, footplants_of(clip.motion));
+    columns.back().insert(columns.back().end(), measured.begin(), measured.end());
   }
+  for (std::size_t row = 0; row < columns.front().size(); ++row) {
+    const ClipFigure& figure = columns.front()[row];
+    fmt::print("\n{:46}", figure.unit.empty() ? figure.name : fmt::format("{} [{}]", figure.name, figure.unit));
+    for (const auto& column : columns) fmt::print("{:>14}", in_words(column[row].value));
+  }
+  fmt::print("\n");
 }
 
 /// Seconds since `begin`.
@@ -307,17 +317,26 @@ Result translate_new_walk(const Folder& folder, const std::shared_ptr<const Styl
   return {std::move(input), std::move(truth), output, std::move(in_step)};
 }
 
-DemoReport make_report(const Result& result, std::vector<std::string> facts) {
-  DemoReport report;
-  report.lead =
-      "On the left a normal walk, in the middle what strut made of it, on the right the true answer: the same steps as "
-      "the walker really limps them. All three run on one clock.";
-  report.clips = {{"Input", "a normal walk, not among the examples", result.input.motion, result.input.footplants},
-                  {"Output", "translated, by what was learnt", result.output, footplants_of(result.output)},
-                  {"True answer", "the same walk, really limped", result.truth.motion, result.truth.footplants}};
-  report.figures = figures_of(result);
-  report.facts = std::move(facts);
-  return report;
+/// Input, output and true answer side by side.
+std::vector<ReportClip> write_report(const Folder& folder, const Result& result, std::vector<std::string> facts) {
+  const auto figures = figures_of(result);
+  std::vector<ReportClip> clips = {{"Input", result.input.motion, {}, figures[0]},
+                                   {"Output", result.output, {}, figures[1]},
+                                   {"True answer", result.truth.motion, {}, figures[2]}};
+  facts.insert(facts.begin(), kLead);
+  write_file(folder.file("demo.html"),
+             report_page(clips, {.title = "A limp, learnt and put on a new walk", .notes = facts}), folder.overwrite());
+  return clips;
+}
+
+void write_picture(const Folder& folder, const Result& result) {
+  const std::vector<DemoClip> clips = {
+      {"Input", "a normal walk, not among the examples", result.input.motion, result.input.footplants},
+      {"Output", "translated, by what was learnt", result.output, footplants_of(result.output)},
+      {"True answer", "the same walk, really limped", result.truth.motion, result.truth.footplants}};
+  std::vector<double> begins;
+  for (const DemoClip& clip : clips) begins.push_back(picture_begin(clip));
+  write_file(folder.file("demo.svg"), demo_picture(kLead, clips, begins), folder.overwrite());
 }
 
 void run(const DemoOptions& options) {
@@ -329,13 +348,10 @@ void run(const DemoOptions& options) {
   std::vector<std::string> facts;
   const LearntStyle learnt = learn_limp(folder, normal, limping, options.seed, facts);
   const Result result = translate_new_walk(folder, learnt.model, seed + 200, facts);
-  const DemoReport report = make_report(result, facts);
-  std::vector<double> begins;
-  for (const DemoClip& clip : report.clips) begins.push_back(picture_begin(clip));
-  write_file(folder.file("demo.html"), demo_page(report), folder.overwrite());
-  write_file(folder.file("demo.svg"), demo_picture(report, begins), folder.overwrite());
+  write_picture(folder, result);
+  const std::vector<ReportClip> clips = write_report(folder, result, facts);
   for (const std::string& fact : facts) fmt::print("{}\n", fact);
-  print_figures(report);
+  print_figures(clips);
   fmt::print("\nOpen {} in a browser to see the three side by side; {} is a still picture.\n", folder.file("demo.html"),
              folder.file("demo.svg"));
 }
@@ -344,11 +360,11 @@ void run(const DemoOptions& options) {
 
 void add_demo(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "demo", "Make clips of a walker, learn a limp from them, put it on a new walk, and draw a page that shows it");
+      "demo", "Make clips of a walker, learn a limp from them, put it on a new walk, and write a report of it");
   const auto options = std::make_shared<DemoOptions>();
   command
       ->add_option("-o,--output", options->folder,
-                   "Folder for the clips, the pair list, the model, the page and the picture; made if missing")
+                   "Folder for the clips, the pair list, the model, the report and the picture; made if missing")
       ->type_name("FOLDER")
       ->capture_default_str();
   command->add_flag("--force", options->force, "Overwrite what an earlier run left in the folder (default: refuse)");

@@ -4,10 +4,13 @@
 #include "commands.h"
 #include "input_files.h"
 #include "terminal.h"
+#include "usage.h"
 #include "view/report.h"
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -84,6 +87,16 @@ void add_report(CLI::App& app) {
   command->add_flag("--no-align{false}", arguments->page.align,
                     "Leave out the alignments with the first clip, by which the page plays the same phase at once "
                     "(default: with every clip that has its skeleton)");
+  command
+      ->add_option(
+          "--curves", arguments->page.curves,
+          "Which curves the report holds: all, body (those of the body as a whole), or fitting (default; all unless "
+          "they take more than 8 MB, else body)")
+      ->transform(one_of({{"fitting", static_cast<int>(ReportCurves::kFitting)},
+                          {"body", static_cast<int>(ReportCurves::kBody)},
+                          {"all", static_cast<int>(ReportCurves::kAll)}})
+                      .description(""))
+      ->type_name("fitting|body|all");
   command->add_flag("--force", arguments->force, "Overwrite the report if it is there (default: refuse)");
   command->callback([arguments] { run(*arguments); });
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "demo_body.h"
 
-#include <algorithm>
 #include <string>
 
 #include <strut/motion/kinematics.h>
@@ -40,26 +39,6 @@ std::vector<Eigen::Vector3d> body_points(const Skeleton& skeleton, const Pose& p
     points.emplace_back(world.positions[index] + world.rotations[index] * skeleton.joint(j).end_site);
   }
   return points;
-}
-
-Footprint footprint(const Motion& motion, const motion::Footplant& plant) {
-  const std::string side = plant.foot == 0 ? "Left" : "Right";
-  const auto ankle = static_cast<std::size_t>(motion.skeleton().find(side + "Foot"));
-  const auto ball = static_cast<std::size_t>(motion.skeleton().find(side + "Toe"));
-  const int third = (plant.end - plant.begin) / 3;
-  Footprint print{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  int count = 0;
-  for (int frame = plant.begin + third; frame < std::max(plant.end - third, plant.begin + third + 1); ++frame) {
-    const auto world = motion::forward_kinematics(motion.skeleton(), motion.frame(frame));
-    const Eigen::Vector3d forward = world.positions[ball] - world.positions[ankle];
-    print.heel += world.positions[ankle] - 0.3 * forward;
-    print.toes += world.positions[ball] + 0.5 * forward;
-    ++count;
-  }
-  print.heel /= count;
-  print.toes /= count;
-  print.heel.y() = print.toes.y() = 0.0;
-  return print;
 }
 
 }  // namespace strut::cli

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <strut/motion/annotation.h>
 #include <strut/motion/motion.h>
 
 namespace strut::cli {
@@ -23,13 +22,5 @@ BodyDrawing body_drawing(const Skeleton& skeleton);
 
 /// The points of a pose, world [m].
 std::vector<Eigen::Vector3d> body_points(const Skeleton& skeleton, const Pose& pose);
-
-/// Where a foot stands.
-struct Footprint {
-  Eigen::Vector3d heel, toes;  ///< on the ground, y = 0 [m]
-};
-
-/// Mean place of heel and toes of a footplant over its middle third.
-Footprint footprint(const Motion& motion, const motion::Footplant& plant);
 
 }  // namespace strut::cli

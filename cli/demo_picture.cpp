@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The demo's still picture. Time runs to the right: every pose stands where its time is, and below it lie the stretches
 // in which each foot stands, so that both the pose and the timing of a style can be seen.
+#include "demo_picture.h"
+
 #include "demo_body.h"
-#include "demo_page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,14 +104,15 @@ std::string draw_row(const DemoClip& clip, double begin, double y) {
 
 }  // namespace
 
-std::string demo_picture(const DemoReport& report, const std::vector<double>& begins) {
-  const double height = kTop + kRowHeight * static_cast<double>(report.clips.size()) + 26.0;
+std::string demo_picture(const std::string& title, const std::vector<DemoClip>& clips,
+                         const std::vector<double>& begins) {
+  const double height = kTop + kRowHeight * static_cast<double>(clips.size()) + 26.0;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
       "role=\"img\"><title>{2}</title><style>{3}</style><rect class=\"b\" width=\"100%\" height=\"100%\" rx=\"8\"/>",
-      kWidth, height, report.lead, kStyle);
-  for (std::size_t i = 0; i < report.clips.size(); ++i) {
-    out += draw_row(report.clips[i], begins[i], kTop + kRowHeight * static_cast<double>(i)) + "\n";
+      kWidth, height, title, kStyle);
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    out += draw_row(clips[i], begins[i], kTop + kRowHeight * static_cast<double>(i)) + "\n";
   }
   out += fmt::format(
       "<text class=\"s\" x=\"{:.0f}\" y=\"{:.0f}\">A pose every {:.2f} s. Left side solid, right side dashed; bars: "

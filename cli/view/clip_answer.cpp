@@ -142,12 +142,13 @@ Container clip_answer(const std::string& id, const std::string& name, const Moti
               {"notes", as_json(notes)}};
   if (legs) header["legs"] = as_json(*legs, motion.skeleton());
   Container container(std::move(header));
-  if (packing == Packing::kSmall && motion.num_frames() > 0) {
-    add_packed(container, positions_of(motion), motion);
-  } else {
+  if (packing == Packing::kExact || motion.num_frames() == 0) {
     container.add("positions", positions_of(motion));
+    container.add("slide", slide_of(motion, found));
+  } else {
+    add_packed(container, positions_of(motion), motion);
+    container.add_rounded("slide", slide_of(motion, found));
   }
-  container.add("slide", slide_of(motion, found));
   return container;
 }
 

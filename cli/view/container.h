@@ -25,6 +25,7 @@ class Container {
   static double rounding_error(const std::vector<float>& values);
 
   [[nodiscard]] Json& header() noexcept { return header_; }
+  [[nodiscard]] const Json& header() const noexcept { return header_; }
   [[nodiscard]] std::string bytes() const;
 
  private:

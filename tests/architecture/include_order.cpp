@@ -21,8 +21,7 @@ const std::set<std::string> kSystemHeaders = {"fcntl.h",  "math.h",  "poll.h",  
 const std::map<std::string, std::string> kGenerated = {{"style_model_generated.h", "model"},
                                                        {"gait_model_generated.h", "blend"},
                                                        {"effort_model_generated.h", "effort"},
-                                                       {"strut_version.h", "core"},
-                                                       {"demo_page_template.h", "cli"}};
+                                                       {"strut_version.h", "core"}};
 
 struct Include {
   std::string name;

@@ -86,7 +86,7 @@ std::set<std::string> completions(const std::string& words) {
 TEST(Program, ListsItsCommands) {
   EXPECT_THAT(commands(),
               testing::IsSupersetOf({"pair", "learn", "translate", "clean", "align", "info", "convert", "measure",
-                                     "footplants", "sysid", "blend", "effort", "demo", "completion"}));
+                                     "footplants", "sysid", "blend", "effort", "report", "demo", "completion"}));
 }
 
 TEST(Program, DescribesEveryCommandAndOption) {

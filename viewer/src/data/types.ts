@@ -60,7 +60,7 @@ export interface Plant {
 
 /** Where in a clip a figure is at its most extreme. */
 export interface Extreme {
-  /** "worst", "fastest", ... */
+  /** "highest", "longest step", ... */
   what: string;
   value: number;
   unit: string;

@@ -12,12 +12,12 @@ export interface FigureCell {
   mark: Mark;
 }
 
-/** A figure of every clip that has it. */
+/** A figure of every clip; null for one that has not got it. */
 export interface FigureRow {
   name: string;
   unit: string;
   better?: 'less' | 'more';
-  cells: FigureCell[];
+  cells: (FigureCell | null)[];
 }
 
 /** Numbers that read alike are alike: three digits. */
@@ -28,29 +28,31 @@ export function shown(value: number): string {
 }
 
 function mark({ better, cells }: FigureRow): void {
-  const values = cells.flatMap(({ figure }) => (figure.value === null ? [] : [figure.value]));
-  const [least, most] = [Math.min(...values), Math.max(...values)];
-  if (!better || values.length < 2 || shown(least) === shown(most)) return;
+  const known = cells.filter((cell) => cell !== null && cell.figure.value !== null) as FigureCell[];
+  const values = known.map(({ figure }) => figure.value!);
+  const least = shown(Math.min(...values));
+  const most = shown(Math.max(...values));
+  if (!better || values.length < 2 || least === most) return;
   const [best, worst] = better === 'less' ? [least, most] : [most, least];
-  for (const cell of cells) {
-    if (cell.figure.value === null) continue;
-    if (shown(cell.figure.value) === shown(best)) cell.mark = 'best';
-    else if (shown(cell.figure.value) === shown(worst)) cell.mark = 'worst';
+  for (const cell of known) {
+    const text = shown(cell.figure.value!);
+    if (text === best) cell.mark = 'best';
+    else if (text === worst) cell.mark = 'worst';
   }
 }
 
 /** In the order in which the clips have them. */
 export function figureRows(actors: readonly Actor[]): FigureRow[] {
   const rows = new Map<string, FigureRow>();
-  for (const actor of actors) {
+  actors.forEach((actor, i) => {
     for (const figure of actor.clip.header.figures) {
       const { name, unit, better } = figure;
-      const row = rows.get(name) ?? { name, unit, better, cells: [] };
-      row.cells.push({ actor, figure, mark: null });
+      const row: FigureRow = rows.get(name) ?? { name, unit, cells: actors.map(() => null) };
       row.better ??= better;
+      row.cells[i] = { actor, figure, mark: null };
       rows.set(name, row);
     }
-  }
+  });
   for (const row of rows.values()) mark(row);
   return [...rows.values()];
 }

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
+import type { Extreme, Figure } from '../data/types';
 import { isPlaying, seek } from '../state/playback';
 import { actors } from '../state/stage';
+import { Swatch } from '../ui/swatch';
 import { type FigureCell, type FigureRow, figureRows, type Mark, momentOf, shown } from './figure_rows';
 import './figures.css';
 
 const MARKS: Record<NonNullable<Mark>, string> = { best: '✓ best', worst: '✗ worst' };
+
+/** Numbers and their units stay in one line. The figure itself is not said twice. */
+function told(figure: Figure, { what, value, unit, joint, time }: Extreme): string {
+  const size = value === figure.value ? '' : ` ${shown(value)}\u00a0${unit},`;
+  return `${what}${size}${joint ? ` ${joint},` : ''} ${time.toFixed(2)}\u00a0s`;
+}
 
 /** Where the figure is at its most extreme; goes there. */
 function ExtremeLink({ actor, figure }: FigureCell) {
@@ -16,8 +24,7 @@ function ExtremeLink({ actor, figure }: FigureCell) {
   };
   return (
     <button type="button" class="place" onClick={go} title={`Show frame ${extreme.frame} of ${actor.title}`}>
-      {extreme.what} {shown(extreme.value)} {extreme.unit}
-      {extreme.joint && `, ${extreme.joint}`}, {extreme.time.toFixed(2)} s
+      {told(figure, extreme)}
     </button>
   );
 }
@@ -26,42 +33,43 @@ function Cell(cell: FigureCell) {
   const { actor, figure, mark } = cell;
   return (
     <tr>
-      <th scope="row" class={`clip clip-${actor.colour % 6}`}>
-        {actor.title}
+      <th scope="row" title={actor.title}>
+        <Swatch number={actor.colour} /> {actor.title}
       </th>
       <td>
-        {figure.value === null ? '–' : shown(figure.value)}
+        <strong>{figure.value === null ? '–' : shown(figure.value)}</strong>
         {mark && <span class={mark}> {MARKS[mark]}</span>}
+        {figure.note && <span class="note"> {figure.note}</span>}
         <ExtremeLink {...cell} />
-        {figure.note && <p class="note">{figure.note}</p>}
       </td>
     </tr>
   );
 }
 
 function Row({ name, unit, better, cells }: FigureRow) {
+  const known = cells.filter((cell) => cell !== null);
   return (
     <tbody>
       <tr>
         <th scope="rowgroup" colSpan={2}>
           {name}
           {unit && ` [${unit}]`}
-          {better && cells.length > 1 && <span class="better"> {better} is better</span>}
+          {better && known.length > 1 && <span class="note"> {better} is better</span>}
         </th>
       </tr>
-      {cells.map((cell) => (
+      {known.map((cell) => (
         <Cell key={cell.actor.clip.id} {...cell} />
       ))}
     </tbody>
   );
 }
 
-/** What was measured of the clips on the stage, figure by figure. */
+/** What was measured of the clips on the stage, figure by figure, so that any number of clips fits a narrow column. */
 export function Figures() {
   const rows = figureRows(actors.value);
   if (rows.length === 0) return null;
   return (
-    <section class="figures">
+    <section class="part figures" aria-label="Figures">
       <h2>Figures</h2>
       <table>
         {rows.map((row) => (

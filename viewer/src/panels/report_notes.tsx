@@ -2,6 +2,19 @@
 import { session } from '../state/session';
 import './report_notes.css';
 
+/** So many paragraphs are shown, the others on demand: the figures below are to be seen. */
+const AT_ONCE = 2;
+
+function Paragraphs({ of }: { of: readonly string[] }) {
+  return (
+    <>
+      {of.map((note) => (
+        <p key={note}>{note}</p>
+      ))}
+    </>
+  );
+}
+
 /** What whoever made the report has to say, and what the file does not hold; nothing if the page is no report. */
 export function ReportNotes() {
   const report = session.value?.report;
@@ -9,9 +22,13 @@ export function ReportNotes() {
   return (
     <section class="report-notes">
       <h2>{report.title}</h2>
-      {report.notes.map((note) => (
-        <p key={note}>{note}</p>
-      ))}
+      <Paragraphs of={report.notes.slice(0, AT_ONCE)} />
+      {report.notes.length > AT_ONCE && (
+        <details>
+          <summary>Read on</summary>
+          <Paragraphs of={report.notes.slice(AT_ONCE)} />
+        </details>
+      )}
       {report.leftOut.length > 0 && (
         <details>
           <summary>What this report leaves out</summary>
