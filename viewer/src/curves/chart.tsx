@@ -93,6 +93,7 @@ function listen(chart: uPlot): void {
     if (event.buttons === 0) hover(moment(event));
   });
   chart.over.addEventListener('pointerleave', leave);
+  chart.over.addEventListener('dblclick', zoomOut);
   chart.over.addEventListener('pointerdown', (event) => {
     pressed = event.clientX;
   });
@@ -109,7 +110,7 @@ function Plot({ lines, ...props }: Omit<Props, 'curve'> & { lines: readonly Line
   const { width, height, scheme } = props;
   const hasTimeAxis = props.timeTitle !== undefined;
   useEffect(() => {
-    const view = { shown, onZoom: zoomTo, onReset: zoomOut };
+    const view = { shown, onZoom: zoomTo };
     const chart = makePlot({ place: place.current!, width, height, times: times.peek(), lines, hasTimeAxis, ...view });
     plot.current = chart;
     chart.over.append(over.current!);

@@ -32,7 +32,6 @@ export interface PlotSettings {
   /** From and to on the clock [s]; asked whenever it is drawn. */
   shown: () => readonly [number, number];
   onZoom: (stretch: readonly [number, number]) => void;
-  onReset: () => void;
 }
 
 function axes({ place, hasTimeAxis }: PlotSettings): uPlot.Axis[] {
@@ -58,7 +57,7 @@ function series({ place, lines }: PlotSettings): uPlot.Series[] {
 }
 
 function options(settings: PlotSettings): uPlot.Options {
-  const { width, height, shown, onZoom, onReset } = settings;
+  const { width, height, shown, onZoom } = settings;
   return {
     width,
     height,
@@ -70,12 +69,7 @@ function options(settings: PlotSettings): uPlot.Options {
       y: false,
       points: { show: false },
       drag: { x: true, y: false, setScale: false, dist: 4 },
-      bind: {
-        dblclick: () => () => {
-          onReset();
-          return null;
-        },
-      },
+      bind: { dblclick: () => null }, // chart.tsx listens itself
     },
     scales: { x: { time: false, range: () => [...shown()] } },
     series: [{}, ...series(settings)],
