@@ -77,7 +77,7 @@ json blend() {
 }
 
 TEST_F(ViewTranslate, SavesTheBytesThatTheCommandWrites) {
-  const std::string blend = here_.file("copy.strut") + "=0.3";
+  const std::string copy_share = here_.file("copy.strut") + "=0.3";
   for (const auto& [controls, options] : std::vector<std::pair<json, std::vector<std::string>>>{
            {json::object(), {}},
            {{{"strength", 0.7}, {"pose", 0.4}, {"movement", 1.2}},
@@ -87,7 +87,7 @@ TEST_F(ViewTranslate, SavesTheBytesThatTheCommandWrites) {
            {{{"confidence", 0.8}, {"preference", 3.5}, {"warmUp", 1}},
             {"--confidence", "0.8", "--preference", "3.5", "--warm-up", "1"}},
            {{{"cleanFeet", false}, {"keepLayout", true}}, {"--no-clean-feet", "--keep-layout"}},
-           {{{"models", blend()}}, {"--blend", blend}}}) {
+           {{{"models", blend()}}, {"--blend", copy_share}}}) {
     const ViewAnswer answer = session_->post("translate/bvh", request(controls));
     ASSERT_EQ(answer.status, 200) << answer.body;
     EXPECT_EQ(answer.body, written(options)) << controls;
@@ -109,8 +109,12 @@ TEST_F(ViewTranslate, SaysTheCommandThatDoesTheSame) {
 
 TEST_F(ViewTranslate, EveryControlTakesEffect) {
   const std::vector<float> usual = translated().arrays.at("positions");
-  std::vector<json> changes{{{"strength", 0.5}},   {{"pose", 0.5}},     {{"movement", 0.5}},   {{"models", blend()}},
-                            {{"confidence", 0.2}}, {{"retime", false}}, {{"cleanFeet", false}}};
+  std::vector<json> changes;
+  for (const char* text : {R"({"strength": 0.5})", R"({"pose": 0.5})", R"({"movement": 0.5})", R"({"confidence": 0.2})",
+                           R"({"retime": false})", R"({"cleanFeet": false})"}) {
+    changes.push_back(json::parse(text));
+  }
+  changes.push_back({{"models", blend()}});
   for (const char* part : motion::kBodyPartNames) changes.push_back({{part, 0.5}});
   for (const json& change : changes) EXPECT_NE(translated(change).arrays.at("positions"), usual) << change;
 }
