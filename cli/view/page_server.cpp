@@ -235,10 +235,6 @@ void PageServer::on_put(const std::string& pattern, Answer answer) {
   parts_->server.Put(parts_->route(pattern), handler_of(std::move(answer)));
 }
 
-void PageServer::on_delete(const std::string& pattern, Answer answer) {
-  parts_->server.Delete(parts_->route(pattern), handler_of(std::move(answer)));
-}
-
 const std::string& PageServer::address() const noexcept {
   return parts_->address;
 }

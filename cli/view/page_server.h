@@ -67,7 +67,6 @@ class PageServer {
   void on_get(const std::string& pattern, Answer answer);
   void on_post(const std::string& pattern, Answer answer);
   void on_put(const std::string& pattern, Answer answer);
-  void on_delete(const std::string& pattern, Answer answer);
 
   /// "http://127.0.0.1:PORT/TOKEN/"
   [[nodiscard]] const std::string& address() const noexcept;

@@ -136,10 +136,6 @@ ViewAnswer ViewSession::put(const std::string& path, const Json& body, const Hea
   return request("PUT", "/" + token_ + "/api/" + path, headers, body.dump(), "application/json");
 }
 
-ViewAnswer ViewSession::remove(const std::string& path, const Json& body, const Headers& headers) const {
-  return request("DELETE", "/" + token_ + "/api/" + path, headers, body.dump(), "application/json");
-}
-
 Json ViewSession::json(const std::string& path) const {
   const ViewAnswer answer = get(path);
   EXPECT_EQ(answer.status, 200) << path << ": " << answer.body.substr(0, 200);

@@ -54,8 +54,6 @@ class ViewSession {
   [[nodiscard]] ViewAnswer get(const std::string& path, const Headers& headers = {}) const;
   [[nodiscard]] ViewAnswer post(const std::string& path, const nlohmann::json& body, const Headers& headers = {}) const;
   [[nodiscard]] ViewAnswer put(const std::string& path, const nlohmann::json& body, const Headers& headers = {}) const;
-  [[nodiscard]] ViewAnswer remove(const std::string& path, const nlohmann::json& body = nlohmann::json::object(),
-                                  const Headers& headers = {}) const;
   /// The JSON or the container that get() is answered. A failure of the test if it is refused.
   [[nodiscard]] nlohmann::json json(const std::string& path) const;
   [[nodiscard]] ViewContainer container(const std::string& path) const;

@@ -36,7 +36,7 @@ export async function getJson<T>(path: string): Promise<T> {
   return (await request(path)).json() as Promise<T>;
 }
 
-export async function sendJson(method: 'POST' | 'PUT' | 'DELETE', path: string, body: unknown): Promise<Response> {
+export async function sendJson(method: 'POST' | 'PUT', path: string, body: unknown): Promise<Response> {
   return request(path, {
     method,
     headers: { 'Content-Type': 'application/json' },
