@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the signs on the stage mean: left and right, the grid, and the scale of footskate.
+import { drawing } from '../scene/drawing';
 import { FASTEST, LARGEST, SMALLEST, slideGradient } from '../scene/slide_scale';
 import { actors, showsGrid, showsSlide } from '../state/stage';
 
@@ -53,7 +54,7 @@ export function StageLegend() {
     <div class="stage-legend">
       {showsSlide.value && <SlideKey />}
       <SideKey />
-      {showsGrid.value && <p>Grid 1 m, fine lines 10 cm</p>}
+      {showsGrid.value && <p>{drawing.value.fineGrid ? 'Grid 1 m, fine lines 10 cm' : 'Grid 1 m'}</p>}
     </div>
   );
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The stage's toolbar: how the clips stand to each other, what is drawn, and from where one looks.
 import type { Signal } from '@preact/signals';
-import { facesAlike, look, startsTogether, type View } from '../scene/view_state';
+import { DRAWING_CHOICES, type DrawingChoice, drawingChoice, drawingLevel } from '../scene/drawing';
+import { leftOut } from '../scene/drawing_level';
+import { facesAlike, look, startsTogether, turn, type View } from '../scene/view_state';
 import type { Shortcut } from '../state/shortcuts';
 import { actors, followsRoot, layout, showsGrid, showsPlants, showsSlide } from '../state/stage';
 import { useShortcuts } from '../ui/use_shortcuts';
@@ -29,6 +31,19 @@ const VIEWS: readonly { view: View; title: string; hint: string; letter: string 
   { view: 'corner', title: 'Corner', hint: 'Look from a corner', letter: '6' },
 ];
 
+/** How far a key turns the camera [rad], and how much nearer it brings it. */
+const TURN = Math.PI / 12;
+const NEARER = 0.8;
+
+const MOVES: readonly Shortcut[] = [
+  { keys: ',', description: 'Turn the camera to the left', group: 'View', action: () => turn({ right: -TURN }) },
+  { keys: '.', description: 'Turn the camera to the right', group: 'View', action: () => turn({ right: TURN }) },
+  { keys: 'Shift+ArrowUp', description: 'Look from higher', group: 'View', action: () => turn({ up: TURN / 2 }) },
+  { keys: 'Shift+ArrowDown', description: 'Look from lower', group: 'View', action: () => turn({ up: -TURN / 2 }) },
+  { keys: 'z', description: 'Nearer', group: 'View', action: () => turn({ distance: NEARER }) },
+  { keys: 'Shift+z', description: 'Farther', group: 'View', action: () => turn({ distance: 1 / NEARER }) },
+];
+
 const flip = (on: Signal<boolean>) => {
   on.value = !on.value;
 };
@@ -52,6 +67,7 @@ const SHORTCUTS: readonly Shortcut[] = [
     group: 'View',
     action: () => look(view),
   })),
+  ...MOVES,
 ];
 
 /** What makes the clips begin alike in the layout in use. */
@@ -96,6 +112,31 @@ function LayoutChoice() {
   );
 }
 
+/** How much is drawn, for machines that draw slowly; says what is left out now. */
+function DrawingSelect() {
+  const missing = leftOut(drawingLevel.value);
+  const hint = missing.length > 0 ? `Left out, to draw faster: ${missing.join(', ')}` : 'Nothing is left out';
+  const isLighter = drawingChoice.value === 'automatic' && drawingLevel.value > 0;
+  return (
+    <label class="drawing-choice" title={hint}>
+      Drawing:
+      <select
+        value={drawingChoice.value}
+        aria-description={hint}
+        onChange={(event) => {
+          drawingChoice.value = event.currentTarget.value as DrawingChoice;
+        }}
+      >
+        {DRAWING_CHOICES.map((choice) => (
+          <option key={choice} value={choice}>
+            {choice === 'automatic' && isLighter ? 'automatic (lighter)' : choice}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
 export function StageToolbar() {
   useShortcuts(SHORTCUTS);
   return (
@@ -115,6 +156,7 @@ export function StageToolbar() {
             {title}
           </button>
         ))}
+        <DrawingSelect />
       </fieldset>
     </div>
   );

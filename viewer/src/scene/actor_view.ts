@@ -4,7 +4,7 @@ import * as THREE from 'three';
 import { colourOf } from '../state/looks';
 import { frameAt, frameRange } from '../state/playback';
 import type { Actor } from '../state/stage';
-import { bodyPoints } from './body';
+import { bodyPoints, leftward, sidePoints } from './body';
 import { Figure } from './figure';
 import { PlantView, SlideView } from './floor_marks';
 import { Label } from './labels';
@@ -40,6 +40,8 @@ export class ActorView {
   private plants: PlantView | null = null;
   private slide: SlideView | null = null;
   private readonly middle = { x: 0, z: 0 };
+  private readonly sides: ReturnType<typeof sidePoints>;
+  private readonly left = { x: 0, z: 0 };
 
   constructor(
     readonly actor: Actor,
@@ -50,6 +52,7 @@ export class ActorView {
     this.pose = new Float32Array(3 * clip.numPoints);
     this.course = courseOf(clip, frameRange(actor));
     this.joints = bodyPoints(clip.header).filter((i) => !clip.header.points[i]!.isTip);
+    this.sides = sidePoints(clip.header);
     this.figure = new Figure(clip);
     this.ring = new Ring(colour);
     this.label = new Label(overlay, 'actor-label');
@@ -110,7 +113,8 @@ export class ActorView {
     this.frame = frameAt(this.actor, time);
     this.actor.clip.pose(this.frame, this.pose);
     this.figure.update(this.pose);
-    this.ring.update(this.pose, this.actor.clip.header.pelvis);
+    leftward(this.pose, 0, this.sides, this.left);
+    this.ring.update(this.pose, this.actor.clip.header.pelvis, Math.atan2(-this.left.z, this.left.x));
     this.plants?.update(this.frame);
     this.slide?.update(this.frame);
     for (const trail of this.trails.values()) trail.update(this.pose, this.frame, trailSeconds);

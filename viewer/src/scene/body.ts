@@ -78,21 +78,34 @@ export function headOf(header: Pick<ClipHeader, 'points' | 'pelvis'>, pose: Floa
   return base === header.pelvis ? null : { base, from, to: base, length: 0.17 * size };
 }
 
-/** Which way is left on the floor at frame `frame`, not normalized: by hips and shoulders, which do not swing. */
-function leftward(clip: Clip, frame: number): readonly [number, number] {
-  const { points } = clip.header;
-  const sum = { left: [0, 0, 0], right: [0, 0, 0] };
-  for (const i of bodyPoints(clip.header)) {
-    const { side, parent } = points[i]!;
-    if (side === 'centre' || parent < 0 || points[parent]!.side !== 'centre') continue;
-    const at = 3 * (frame * points.length + i);
-    sum[side][0]! += clip.positions[at]!;
-    sum[side][1]! += clip.positions[at + 2]!;
-    sum[side][2]! += 1;
+/** The points by which a body has a left and a right, hips and shoulders: they do not swing. */
+export function sidePoints({
+  points,
+  pelvis,
+}: Pick<ClipHeader, 'points' | 'pelvis'>): Record<'left' | 'right', number[]> {
+  const inward = bodyPoints({ points, pelvis }).filter((i) => points[points[i]!.parent]?.side === 'centre');
+  const of = (side: Side) => inward.filter((i) => points[i]!.side === side);
+  return { left: of('left'), right: of('right') };
+}
+
+/** Which way is left on the floor, not normalized, where `positions` has the points of a pose from `start` on; written
+ *  into `out`: zero for a body without sides. */
+export function leftward(
+  positions: Float32Array,
+  start: number,
+  { left, right }: Record<'left' | 'right', readonly number[]>,
+  out: { x: number; z: number },
+): void {
+  out.x = out.z = 0;
+  if (left.length === 0 || right.length === 0) return;
+  for (const i of left) {
+    out.x += positions[start + 3 * i]! / left.length;
+    out.z += positions[start + 3 * i + 2]! / left.length;
   }
-  const mean = (side: 'left' | 'right', axis: 0 | 1) => sum[side][axis]! / Math.max(1, sum[side][2]!);
-  if (sum.left[2] === 0 || sum.right[2] === 0) return [0, 0];
-  return [mean('left', 0) - mean('right', 0), mean('left', 1) - mean('right', 1)];
+  for (const i of right) {
+    out.x -= positions[start + 3 * i]! / right.length;
+    out.z -= positions[start + 3 * i + 2]! / right.length;
+  }
 }
 
 /** Where the body faces about frame `begin` (over at most a second, before `end`): the angle from +Z towards +X [rad];
@@ -100,13 +113,15 @@ function leftward(clip: Clip, frame: number): readonly [number, number] {
 export function headingAt(clip: Clip, begin: number, end: number): number {
   const last = Math.min(end, begin + Math.ceil(clip.header.frameRate), clip.numFrames);
   const stride = Math.max(1, Math.floor((last - begin) / 10));
+  const sides = sidePoints(clip.header);
+  const left = { x: 0, z: 0 };
   let x = 0;
   let z = 0;
   for (let frame = begin; frame < last; frame += stride) {
-    const [leftX, leftZ] = leftward(clip, frame);
-    const length = Math.hypot(leftX, leftZ) || 1;
-    x -= leftZ / length;
-    z += leftX / length;
+    leftward(clip.positions, 3 * frame * clip.numPoints, sides, left);
+    const length = Math.hypot(left.x, left.z) || 1;
+    x -= left.z / length;
+    z += left.x / length;
   }
   return x === 0 && z === 0 ? 0 : Math.atan2(x, z);
 }

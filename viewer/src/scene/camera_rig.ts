@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Direction, framing } from './framing';
-import type { View } from './view_state';
+import type { Turn, View } from './view_state';
 
 /** How long a glide takes [s]. */
 const GLIDE = 0.35;
@@ -101,6 +101,20 @@ export class CameraRig {
     const toTarget = this.controls.target.clone().setX(this.middle.x).setZ(this.middle.z);
     const fromTarget = this.controls.target.clone();
     this.glide = { fromTarget, toTarget, from, to: from.clone(), done: glides ? 0 : 1 };
+  }
+
+  /** Turns about what is looked at, and comes nearer or goes farther; from where a glide under way leads. */
+  turn({ right, up, distance }: Turn, glides: boolean): void {
+    const { target, maxPolarAngle, minDistance, maxDistance } = this.controls;
+    const from = new THREE.Spherical().setFromVector3(this.offset.copy(this.camera.position).sub(target));
+    const goal = this.glide?.to ?? from;
+    const to = new THREE.Spherical(
+      THREE.MathUtils.clamp(goal.radius * distance, minDistance, maxDistance),
+      THREE.MathUtils.clamp(goal.phi - up, 0.01, maxPolarAngle),
+      goal.theta + right,
+    );
+    const toTarget = (this.glide?.toTarget ?? target).clone();
+    this.glide = { fromTarget: target.clone(), toTarget, from, to, done: glides ? 0 : 1 };
   }
 
   /** Lets `seconds` go by; true while the camera is on its way. */

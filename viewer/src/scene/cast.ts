@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All actors as they are drawn: which there are, where they stand, and where their middle is.
 import * as THREE from 'three';
+import { frameAt } from '../state/playback';
 import type { Actor } from '../state/stage';
 import { ActorView } from './actor_view';
 import { placed, placements, type Wishes } from './placement';
@@ -57,7 +58,7 @@ export class Cast {
 
   place(wishes: Wishes): void {
     const places = placements(
-      this.views.map((view) => view.course),
+      this.views.map(({ actor, course }) => ({ ...course, frameAt: (at: number) => frameAt(actor, at) })),
       wishes,
     );
     this.views.forEach((view, i) => {

@@ -12,9 +12,13 @@ const SIDES: readonly Side[] = ['left', 'right', 'centre'];
 /** A joint is this much of the thickest bone at it. */
 const JOINT = 0.62;
 /** How wide a head is: its radius, of its length. */
-const HEAD = 0.36;
+const HEAD = 0.31;
+/** How grey a head is. */
+const HEAD_GREY = 0.35;
 /** How much is seen of a body that another one is laid over. */
 const GHOST = 0.62;
+
+const headColour = new THREE.Color();
 
 interface Limbs {
   side: Side;
@@ -83,7 +87,7 @@ export class Figure {
     };
     for (const { side, mesh } of this.limbs) paint(mesh, side === 'centre' ? colour : theme[side]);
     paint(this.joints, colour);
-    paint(this.headMesh, colour);
+    paint(this.headMesh, headColour.copy(colour).lerp(theme.soft, HEAD_GREY));
   }
 
   private meshes(): THREE.InstancedMesh[] {

@@ -48,6 +48,18 @@ describe('side by side', () => {
     expect(nearest(far, near, placements([far, near], SIDE_BY_SIDE))).toBeGreaterThan(1.2);
   });
 
+  it('keeps room at the moments that are shown together', () => {
+    const wishes = { ...SIDE_BY_SIDE, facesAlike: false };
+    const right = course({ frames: 60, heading: Math.PI / 2, speed: 1 });
+    // Shows its end while the other one begins.
+    const back = { ...course({ frames: 60, heading: Math.PI / 2, speed: 1 }), frameAt: (t: number) => 59 - 30 * t };
+    const [a, b] = placements([right, back], wishes);
+    for (let frame = 0; frame < 60; ++frame) {
+      const [p, q] = [placeAt(right, a!, frame), placeAt(back, b!, 59 - frame)];
+      expect(Math.hypot(p.x - q.x, p.z - q.z)).toBeGreaterThan(1.2);
+    }
+  });
+
   it('does not put bodies out of sight of each other', () => {
     const right = course({ frames: 900, heading: Math.PI / 2, speed: 1 });
     const left = course({ frames: 900, heading: -Math.PI / 2, speed: 1 });

@@ -21,6 +21,8 @@ export interface Course {
   /** The frames [begin, end) that are played. */
   begin: number;
   end: number;
+  /** The frame that is shown at a moment of the clock [s]; by the course's own time if absent. */
+  frameAt?: (time: number) => number;
   /** Where the body faces at the beginning [rad], from +Z towards +X. */
   heading: number;
 }
@@ -61,10 +63,11 @@ function startingAt(course: Course, x: number, yaw: number): Placement {
   return { x: x - turned.x, z: -turned.z, yaw };
 }
 
-/** Where a placed course is `seconds` after its beginning. */
+/** Where a placed course is at the moment `seconds` of the clock. */
 function at(course: Course, placement: Placement, seconds: number): { x: number; z: number } {
   const place = { x: 0, z: 0 };
-  const frame = Math.min(course.begin + seconds * course.frameRate, Math.max(course.begin, course.end - 1));
+  const own = course.frameAt?.(seconds) ?? course.begin + seconds * course.frameRate;
+  const frame = Math.min(own, Math.max(course.begin, course.end - 1));
   if (course.path.length > 0) pathAt(course.path, frame, place);
   return placed(place, placement);
 }

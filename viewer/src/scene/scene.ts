@@ -16,9 +16,11 @@ import {
 } from '../state/stage';
 import { CameraRig } from './camera_rig';
 import { Cast } from './cast';
+import { drawing, drawingLevel, notePicture } from './drawing';
 import { Floor } from './floor';
 import { FrameCost } from './frame_cost';
 import { Label } from './labels';
+import { Picture } from './picture';
 import { watchPointer } from './pointer';
 import { readTheme, watchTheme } from './theme';
 import {
@@ -28,13 +30,12 @@ import {
   trailLength,
   type View,
   viewProblem,
+  wantedTurn,
   wantedView,
 } from './view_state';
 
 /** How near a joint the pointer has to be [pixels]. */
 const REACH = 16;
-/** More pixels per CSS pixel than this are not seen. */
-const FINEST = 3;
 
 const NO_WEBGL = {
   message: 'This browser does not draw in three dimensions here: WebGL 2 is missing or switched off.',
@@ -52,6 +53,7 @@ function toggleTrail(name: string): void {
 
 class SceneView {
   private readonly scene = new THREE.Scene();
+  private readonly picture: Picture;
   private readonly floor = new Floor();
   private readonly cast: Cast;
   private readonly rig: CameraRig;
@@ -67,24 +69,23 @@ class SceneView {
   /** What the picture was fitted to last. */
   private fitted = '';
   private shownActors = '';
-  private isAsked = false;
+  /** The picture that was asked for; 0: none. */
+  private asked = 0;
   private goesOn = false;
   private before = 0;
 
   constructor(
     private readonly container: HTMLElement,
     private readonly stage: HTMLElement,
-    private readonly renderer: THREE.WebGLRenderer,
   ) {
+    this.picture = new Picture(container, { lost: () => this.lose(), restored: () => this.restore() });
     const overlay = document.createElement('div');
     overlay.className = 'stage-labels';
-    container.append(renderer.domElement, overlay);
-    renderer.shadowMap.enabled = true;
-    renderer.shadowMap.type = THREE.PCFShadowMap;
+    container.append(overlay);
     this.cast = new Cast(overlay);
     this.hover = new Label(overlay, 'joint-label');
     this.cost = new FrameCost(stage);
-    this.rig = new CameraRig(renderer.domElement, this.request);
+    this.rig = new CameraRig(container, this.request);
     this.theme = readTheme(container);
     this.rig.camera.add(this.lamp);
     this.lamp.position.set(-1.5, 1.5, 1);
@@ -95,25 +96,20 @@ class SceneView {
   }
 
   private listen(): void {
-    const { domElement } = this.renderer;
     const resized = new ResizeObserver(() => this.resize());
     resized.observe(this.container);
-    const pointer = watchPointer(domElement, { moved: this.moved, clicked: this.clicked });
-    const onLost = (event: Event) => this.lose(event);
-    const onRestored = () => this.restore();
-    domElement.addEventListener('webglcontextlost', onLost);
-    domElement.addEventListener('webglcontextrestored', onRestored);
     this.undo.push(
       () => resized.disconnect(),
-      pointer,
-      () => domElement.removeEventListener('webglcontextlost', onLost),
-      () => domElement.removeEventListener('webglcontextrestored', onRestored),
+      watchPointer(this.container, { moved: this.moved, clicked: this.clicked }),
       watchTheme(() => this.repaint()),
       effect(() => this.arrange()),
       effect(() => this.lookAsWanted()),
+      effect(() => this.turnAsWanted()),
+      effect(() => this.drawAsWanted()),
       effect(() => {
         // What a picture depends on besides what is arranged.
         void [time.value, isPlaying.value, step.value, alignments.value, trailLength.value];
+        this.picture.moveShadows();
         this.request();
       }),
       followsRoot.subscribe((follows) => {
@@ -124,9 +120,7 @@ class SceneView {
 
   /** Asks for a picture at the display's next frame. */
   private readonly request = (): void => {
-    if (this.isAsked) return;
-    this.isAsked = true;
-    requestAnimationFrame(this.draw);
+    if (this.asked === 0) this.asked = requestAnimationFrame(this.draw);
   };
 
   /** Puts on the stage who belongs there, placed and coloured as the switches say. */
@@ -137,6 +131,7 @@ class SceneView {
       facesAlike: facesAlike.value,
       startsTogether: startsTogether.value,
     });
+    this.picture.moveShadows();
     this.cast.trail(trails.value, this.theme);
     this.paint();
     this.fit();
@@ -187,26 +182,42 @@ class SceneView {
     if (wanted) this.show(wanted.view);
   }
 
+  private turnAsWanted(): void {
+    const wanted = wantedTurn.value;
+    if (!wanted) return;
+    this.rig.turn(wanted, !this.calm.matches);
+    this.request();
+  }
+
+  private drawAsWanted(): void {
+    this.stage.dataset.drawing = String(drawingLevel.value);
+    this.picture.draws(drawing.value);
+    this.floor.draws(drawing.value);
+    this.request();
+  }
+
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (width === 0 || height === 0) return;
     this.size = [width, height];
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, FINEST));
-    this.renderer.setSize(width, height);
+    this.picture.resize(width, height);
     this.rig.resize(width, height);
     // At once, as a canvas is blank when its size was set.
     this.draw(performance.now());
   }
 
   private readonly draw = (now: number): void => {
-    this.isAsked = false;
+    // Also when called otherwise: one picture for each of the display's.
+    cancelAnimationFrame(this.asked);
+    this.asked = 0;
     const start = performance.now();
-    const seconds = this.goesOn ? (now - this.before) / 1000 : 0;
+    const seconds = this.goesOn ? Math.max(0, now - this.before) / 1000 : 0;
     this.before = now;
+    if (isPlaying.peek()) notePicture(seconds > 0 ? 1000 * seconds : null);
     if (seconds > 0) advance(seconds);
-    const isMoving = this.update(Math.max(0, seconds));
+    const isMoving = this.update(seconds);
     const updated = performance.now();
-    if (!this.renderer.getContext().isContextLost()) this.renderer.render(this.scene, this.rig.camera);
+    this.picture.draw(this.scene, this.rig.camera);
     this.cost.add(updated - start, performance.now() - start);
     this.goesOn = isPlaying.peek() || isMoving;
     if (this.goesOn) this.request();
@@ -237,7 +248,7 @@ class SceneView {
   private showHovered(): void {
     const found = this.pointer && this.cast.pick(this.rig.camera, this.size, this.pointer, REACH);
     hoveredJoint.value = found?.name ?? null;
-    this.renderer.domElement.style.cursor = found ? 'pointer' : '';
+    this.container.style.cursor = found ? 'pointer' : '';
     if (!found) {
       this.hover.hide();
       return;
@@ -246,8 +257,7 @@ class SceneView {
     this.hover.moveTo(found.x, found.y, found.z, this.rig.camera, ...this.size);
   }
 
-  private lose(event: Event): void {
-    event.preventDefault();
+  private lose(): void {
     viewProblem.value = LOST;
     this.stage.dataset.state = 'lost';
   }
@@ -260,26 +270,25 @@ class SceneView {
 
   dispose(): void {
     for (const stop of this.undo) stop();
+    cancelAnimationFrame(this.asked);
     this.cast.dispose();
     this.floor.dispose();
     this.rig.dispose();
-    this.renderer.setAnimationLoop(null);
-    this.renderer.dispose();
+    this.picture.dispose();
     this.container.replaceChildren();
   }
 }
 
 /** Draws into `container`, which is otherwise empty, until the returned function is called. How it goes is told by the
- *  data attributes of `stage`: state (ready, lost, missing), framesDrawn, updateMs and frameMs. */
+ *  data attributes of `stage`: state (ready, lost, missing), drawing (the level), framesDrawn, updateMs and frameMs. */
 export function startScene(container: HTMLElement, stage: HTMLElement): () => void {
-  let renderer: THREE.WebGLRenderer;
+  let view: SceneView;
   try {
-    renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
+    view = new SceneView(container, stage);
   } catch {
     viewProblem.value = NO_WEBGL;
     stage.dataset.state = 'missing';
     return () => {};
   }
-  const view = new SceneView(container, stage, renderer);
   return () => view.dispose();
 }

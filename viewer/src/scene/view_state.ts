@@ -16,9 +16,21 @@ export const trailLength = signal<TrailLength>(null);
 export const hoveredJoint = signal<string | null>(null);
 /** What was asked of the camera last; a new object each time. */
 export const wantedView = signal<{ view: View } | null>(null);
+/** A turn of the camera: to the right and upwards [rad], and its distance times `distance`. */
+export interface Turn {
+  right: number;
+  up: number;
+  distance: number;
+}
+/** How the camera was asked to turn last; a new object each time. */
+export const wantedTurn = signal<Turn | null>(null);
 /** Why there is no picture now. */
 export const viewProblem = signal<Problem | null>(null);
 
 export function look(view: View): void {
   wantedView.value = { view };
+}
+
+export function turn(by: Partial<Turn>): void {
+  wantedTurn.value = { right: 0, up: 0, distance: 1, ...by };
 }
