@@ -4,6 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { startScene } from '../scene/scene';
 import { viewProblem } from '../scene/view_state';
 import { ProblemNote } from '../ui/problem_note';
+import { StageDrawing } from './stage_drawing';
 import { StageLegend } from './stage_legend';
 import { StageToolbar } from './stage_toolbar';
 import './stage.css';
@@ -26,6 +27,7 @@ export function Stage() {
       )}
       <StageLegend />
       <StageToolbar />
+      <StageDrawing />
     </section>
   );
 }

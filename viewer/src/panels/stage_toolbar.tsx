@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The stage's toolbar: how the clips stand to each other, what is drawn, and from where one looks.
 import type { Signal } from '@preact/signals';
-import { DRAWING_CHOICES, type DrawingChoice, drawingChoice, drawingLevel } from '../scene/drawing';
-import { leftOut } from '../scene/drawing_level';
 import { facesAlike, look, startsTogether, turn, type View } from '../scene/view_state';
 import type { Shortcut } from '../state/shortcuts';
 import { actors, followsRoot, layout, showsGrid, showsPlants, showsSlide } from '../state/stage';
@@ -112,31 +110,6 @@ function LayoutChoice() {
   );
 }
 
-/** How much is drawn, for machines that draw slowly; says what is left out now. */
-function DrawingSelect() {
-  const missing = leftOut(drawingLevel.value);
-  const hint = missing.length > 0 ? `Left out, to draw faster: ${missing.join(', ')}` : 'Nothing is left out';
-  const isLighter = drawingChoice.value === 'automatic' && drawingLevel.value > 0;
-  return (
-    <label class="drawing-choice" title={hint}>
-      Drawing:
-      <select
-        value={drawingChoice.value}
-        aria-description={hint}
-        onChange={(event) => {
-          drawingChoice.value = event.currentTarget.value as DrawingChoice;
-        }}
-      >
-        {DRAWING_CHOICES.map((choice) => (
-          <option key={choice} value={choice}>
-            {choice === 'automatic' && isLighter ? 'automatic (lighter)' : choice}
-          </option>
-        ))}
-      </select>
-    </label>
-  );
-}
-
 export function StageToolbar() {
   useShortcuts(SHORTCUTS);
   return (
@@ -156,7 +129,6 @@ export function StageToolbar() {
             {title}
           </button>
         ))}
-        <DrawingSelect />
       </fieldset>
     </div>
   );

@@ -66,6 +66,12 @@ describe('how much is drawn', () => {
     expect(new Set(play(chooser, () => 33.3, 60))).toEqual(new Set([0]));
   });
 
+  it('stays light where even that is slow, however much other programs slow it down', () => {
+    const chooser = new LevelChooser();
+    play(chooser, () => 100, 10);
+    expect(play(chooser, () => 130, 10).at(-1)).toBe(LIGHTEST);
+  });
+
   it('never draws more at a lighter level', () => {
     DRAWING_LEVELS.slice(1).forEach((level, i) => {
       const before = DRAWING_LEVELS[i]!;

@@ -47,8 +47,10 @@ const PAUSE = 2000;
 const PATIENCE = 8000;
 /** A try that is slow within this time has failed [ms]. */
 const TRIAL = 4000;
-/** Drawing less that leaves this part of the time does not help: a display of 30 Hz, or slow scripts. */
+/** Drawing less that leaves this part of the time does not help, if pictures come at the pace of a display that shows
+ *  few, e.g. 30 a second to save power [ms]. Where they come more slowly than any display, it is drawing that is slow. */
 const NO_HELP = 0.9;
+const SLOWEST_DISPLAY = 45;
 
 /** Steps down when pictures come slowly, and up again with growing patience. */
 export class LevelChooser {
@@ -99,7 +101,7 @@ export class LevelChooser {
     this.sinceTry = Infinity;
     if (this.level < LIGHTEST) {
       this.go(this.level === 0 ? this.first : this.level + 1);
-    } else if (mean > NO_HELP * this.atFull) {
+    } else if (mean > NO_HELP * this.atFull && mean < SLOWEST_DISPLAY) {
       this.isInVain = true;
       this.go(0);
     }

@@ -112,6 +112,30 @@ describe('the stage', () => {
     await expect.poll(drawn).toBeGreaterThan(before);
   });
 
+  it('draws as much as a person chooses', async () => {
+    const choice = page.getByLabel('Drawing:');
+    const level = () => page.locator('.stage').getAttribute('data-drawing');
+    await choice.selectOption('light');
+    await expect.poll(level).not.toBe('0');
+    expect(await choice.getAttribute('aria-description')).toContain('shadows');
+    const before = await settled();
+    await choice.selectOption('full');
+    await expect.poll(level).toBe('0');
+    await expect.poll(drawn).toBeGreaterThan(before);
+    expect(await page.locator('.stage canvas').count()).toBe(1);
+    expect(opened.errors).toEqual([]);
+  });
+
+  it('turns and comes nearer by keys', async () => {
+    const where = () => page.locator('.actor-label').last().getAttribute('style');
+    for (const key of ['.', 'Shift+ArrowUp', 'z']) {
+      const before = await where();
+      await page.keyboard.press(key);
+      await expect.poll(where).not.toBe(before);
+      await settled();
+    }
+  });
+
   it('follows the change to dark', async () => {
     const before = await drawn();
     await page.emulateMedia({ colorScheme: 'dark' });
