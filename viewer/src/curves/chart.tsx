@@ -55,7 +55,7 @@ function Legend({ lines, unit }: { lines: readonly Line[]; unit: string }) {
   return (
     <ul class="legend" ref={list}>
       {lines.map(({ actor }) => (
-        <li key={actor.clip.id} title={actor.title}>
+        <li key={actor.clip.id} title={actor.clip.name}>
           <Swatch number={actor.colour} />
           <span class="clip">{actor.title}</span>
           <output aria-live="off" />

@@ -33,7 +33,7 @@ function Cell(cell: FigureCell) {
   const { actor, figure, mark } = cell;
   return (
     <tr>
-      <th scope="row" title={actor.title}>
+      <th scope="row" title={actor.clip.name}>
         <Swatch number={actor.colour} /> {actor.title}
       </th>
       <td>

@@ -7,17 +7,8 @@ import type { Clip } from '../data/clip';
 import type { PairStep } from '../pairs/in_step';
 import { type Mark, nextOnset, onsetsOf } from '../pairs/marks';
 import { type Range, SIDES, type SideName } from '../pairs/pair';
-import {
-  current,
-  frameOfMark,
-  held,
-  moveMark,
-  nameOf,
-  pairStep,
-  rangeOf,
-  showMark,
-  shownClips,
-} from '../pairs/showing';
+import { current, frameOfMark, held, moveMark, pairStep, rangeOf, showMark, shownClips } from '../pairs/showing';
+import { fullNameOf, nameOf } from '../state/names';
 import { frameAt, time } from '../state/playback';
 import { actors } from '../state/stage';
 import { ticksOf, written } from '../state/ticks';
@@ -178,7 +169,7 @@ function Strip({ side, clip, range, isNear }: { side: SideName; clip: Clip; rang
   const scale: Scale = { from, to, width: width.value };
   return (
     <div class="strip">
-      <span class="name" title={nameOf(clip.id)}>
+      <span class="name" title={fullNameOf(clip.id)}>
         <Swatch number={number} /> <b>{side}</b> {nameOf(clip.id)}
       </span>
       <div class="track" ref={box} style={{ '--own': `var(--clip-${number})` }}>

@@ -4,15 +4,8 @@ import { useSignal } from '@preact/signals';
 import type { OpenList } from '../pairs/open_list';
 import { progressOf } from '../pairs/pair';
 import { openList, pairFiles } from '../pairs/showing';
+import { download } from '../ui/download';
 import { ProblemNote } from '../ui/problem_note';
-
-function offer(toml: string, name: string): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([toml], { type: 'application/toml' }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000); // the browser has begun by then
-}
 
 function fileName(list: OpenList): string {
   return list.file.path.split('/').at(-1) ?? list.file.name;
@@ -84,7 +77,7 @@ export function PairsFile({ list }: { list: OpenList }) {
   const copied = useSignal<'done' | 'impossible' | null>(null);
   const saveCopy = async () => {
     const toml = await list.copy();
-    if (toml !== null) offer(toml, fileName(list));
+    if (toml !== null) download(fileName(list), new Blob([toml], { type: 'application/toml' }));
     copied.value = toml === null ? 'impossible' : 'done';
   };
   const { past, future } = list.history.value;

@@ -6,7 +6,7 @@ import { factsOf, type Kind } from '../pairs/facts';
 import type { OpenList } from '../pairs/open_list';
 import { EVERYTHING, type SortKey, type Wish } from '../pairs/order';
 import { isCut, type Pair, type Side, type Verdict } from '../pairs/pair';
-import { nameOf } from '../pairs/showing';
+import { nameOf } from '../state/names';
 import { PairsAdd } from './pairs_add';
 
 /** As in pairs.css [px]. */

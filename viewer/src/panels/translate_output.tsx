@@ -2,18 +2,9 @@
 // What becomes of the result: saved as BVH, or its command taken to a terminal; and one step back or forth.
 import { useSignal } from '@preact/signals';
 import * as translating from '../translate/translating';
+import { download } from '../ui/download';
 
 const { canRedo, canUndo, result, settings } = translating;
-
-/** Lets the browser save a file. */
-function download(name: string, content: Blob): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  // The browser takes the address over at once, but not within the click.
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
 
 async function save(): Promise<void> {
   try {
