@@ -12,7 +12,7 @@ import { actors, step } from '../state/stage';
 import { written } from '../state/ticks';
 
 /** A chart's least height, and what stands above it; as in curves.css [px]. */
-const LEAST_HEIGHT = 92;
+const LEAST_HEIGHT = 84;
 const CAPTION = 28;
 
 /** What the time axis tells: whose time it is. */

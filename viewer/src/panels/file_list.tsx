@@ -42,7 +42,7 @@ function ClipFacts({ id }: { id: string }) {
   return (
     <>
       <p class="facts number">
-        {written(clip.duration)} s, {numFrames} frames at {Number(frameRate.toFixed(2))} Hz
+        {written(clip.duration)} s, {numFrames}&nbsp;frames at {Number(frameRate.toFixed(2))}&nbsp;Hz
       </p>
       <Notes notes={notes} />
     </>

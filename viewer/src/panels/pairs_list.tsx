@@ -14,7 +14,7 @@ const ROW = 44;
 const SPARE_ROWS = 4;
 
 const SORTS: readonly (readonly [SortKey, string])[] = [
-  ['list', 'as in the list'],
+  ['list', 'list order'],
   ['distance', 'by distance'],
   ['kind', 'by kind'],
   ['input', 'by input clip'],

@@ -3,6 +3,7 @@
 import { useSignal } from '@preact/signals';
 import * as translating from '../translate/translating';
 import { download } from '../ui/download';
+import { UndoRedo } from '../ui/undo_redo';
 
 const { canRedo, canUndo, result, settings } = translating;
 
@@ -33,19 +34,19 @@ export function TranslateOutput() {
   };
   return (
     <section class="part translate-output">
-      <h2>Result</h2>
+      <div class="row head">
+        <h2>Result</h2>
+        <UndoRedo
+          undo={{ keys: 'Ctrl+Z', isPossible: canUndo.value, action: translating.undo }}
+          redo={{ keys: 'Ctrl+Shift+Z', isPossible: canRedo.value, action: translating.redo }}
+        />
+      </div>
       <div class="row">
         <button type="button" class="primary" disabled={!result.value} onClick={() => void save()}>
           Save as BVH
         </button>
         <button type="button" disabled={!result.value} onClick={() => void copy()}>
           Copy command
-        </button>
-        <button type="button" disabled={!canUndo.value} title="Undo (Ctrl+Z)" onClick={translating.undo}>
-          Undo
-        </button>
-        <button type="button" disabled={!canRedo.value} title="Redo (Ctrl+Shift+Z)" onClick={translating.redo}>
-          Redo
         </button>
       </div>
       {command.value && (
