@@ -148,7 +148,7 @@ export function Chart(props: Props) {
       <figcaption>
         <strong>{title}</strong>
         <Legend lines={lines} unit={curve.unit} />
-        {props.timeTitle && <span class="time-title">across: {props.timeTitle}</span>}
+        {props.timeTitle && <span class="time-title">{props.timeTitle} →</span>}
         <button type="button" class="plain" aria-label={`Take away ${title}`} onClick={() => choose(curve, false)}>
           <Icon name="close" />
         </button>
