@@ -148,7 +148,7 @@ function Help() {
         </p>
       </details>
       <Switch on={asksSpace} title="Ask for Space, too" />
-      <Switch on={showsTwoSides} title="Show it from the front and from the side" />
+      <Switch on={showsTwoSides} title="Show the front and the side" />
     </div>
   );
 }

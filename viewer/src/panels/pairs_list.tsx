@@ -95,7 +95,7 @@ function Row({ pair, list, place }: { pair: Pair; list: OpenList; place: number 
         {SIGNS[pair.verdict]}
       </span>
       <span class="what">
-        <b class="number">{pair.id + 1}</b> {pair.proposed === null ? 'added' : kind}
+        <b class="number">{pair.id + 1}</b> {pair.proposed === null ? 'added' : kind !== 'other' && kind}
         {isCut(pair) && <em> cut anew</em>}
         {distance !== null && <span class="number distance">{distance.toFixed(2)}</span>}
       </span>
