@@ -2,7 +2,7 @@
 // Both clips of the selected pair from their first frame to their last, with the stretches that belong together between
 // cut marks. Marks are dragged or moved by arrow keys; with Shift held down they go to where a foot comes down.
 import { useSignal, useSignalEffect } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import type { Clip } from '../data/clip';
 import type { PairStep } from '../pairs/in_step';
 import { type Mark, nextOnset, onsetsOf } from '../pairs/marks';
@@ -13,6 +13,7 @@ import { frameAt, time } from '../state/playback';
 import { actors } from '../state/stage';
 import { ticksOf, written } from '../state/ticks';
 import { Swatch } from '../ui/swatch';
+import { useSize } from '../ui/use_size';
 
 const FEET = ['left', 'right'] as const;
 const FAR = 10;
@@ -152,15 +153,8 @@ function Now({ scale, number }: { scale: Scale; number: number }) {
 
 function Strip({ side, clip, range, isNear }: { side: SideName; clip: Clip; range: Range; isNear: boolean }) {
   const box = useRef<HTMLDivElement>(null);
-  const width = useSignal(0);
+  const width = useSize(box, 'width');
   const number = SIDES.indexOf(side);
-  useEffect(() => {
-    const watch = new ResizeObserver(([entry]) => {
-      width.value = entry!.contentRect.width;
-    });
-    watch.observe(box.current!);
-    return () => watch.disconnect();
-  }, [width]);
   const around = range[1] - range[0];
   // While a mark is held the strip stays where it is.
   const near = useRef<Range>([0, 0]);

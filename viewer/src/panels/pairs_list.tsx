@@ -7,6 +7,7 @@ import type { OpenList } from '../pairs/open_list';
 import { EVERYTHING, type SortKey, type Wish } from '../pairs/order';
 import { isCut, type Pair, type Side, type Verdict } from '../pairs/pair';
 import { nameOf } from '../state/names';
+import { useSize } from '../ui/use_size';
 import { PairsAdd } from './pairs_add';
 
 /** As in pairs.css [px]. */
@@ -109,16 +110,9 @@ function Row({ pair, list, place }: { pair: Pair; list: OpenList; place: number 
 export function PairsList({ list }: { list: OpenList }) {
   const box = useRef<HTMLDivElement>(null);
   const top = useSignal(0);
-  const height = useSignal(0);
+  const height = useSize(box, 'height');
   const shown = list.shown.value;
   const at = shown.findIndex((pair) => pair.id === list.selected.value);
-  useEffect(() => {
-    const watch = new ResizeObserver(([entry]) => {
-      height.value = entry!.contentRect.height;
-    });
-    watch.observe(box.current!);
-    return () => watch.disconnect();
-  }, [height]);
   useEffect(() => {
     const element = box.current!;
     if (at < 0) return;
