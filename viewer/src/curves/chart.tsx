@@ -55,7 +55,7 @@ function Legend({ lines, unit }: { lines: readonly Line[]; unit: string }) {
   return (
     <ul class="legend" ref={list}>
       {lines.map(({ actor }) => (
-        <li key={actor.clip.id} title={actor.title}>
+        <li key={actor.clip.id} title={actor.clip.name}>
           <Swatch number={actor.colour} />
           <span class="clip">{actor.title}</span>
           <output aria-live="off" />
@@ -148,7 +148,7 @@ export function Chart(props: Props) {
       <figcaption>
         <strong>{title}</strong>
         <Legend lines={lines} unit={curve.unit} />
-        {props.timeTitle && <span class="time-title">across: {props.timeTitle}</span>}
+        {props.timeTitle && <span class="time-title">{props.timeTitle} →</span>}
         <button type="button" class="plain" aria-label={`Take away ${title}`} onClick={() => choose(curve, false)}>
           <Icon name="close" />
         </button>

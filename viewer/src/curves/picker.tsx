@@ -43,7 +43,7 @@ export function Picker() {
     <div class="picker">
       <input
         type="search"
-        placeholder="Find, e.g. knee rotation"
+        placeholder="Find, e.g. leg rotation"
         aria-label="Find curves"
         value={text.value}
         onInput={(event) => {

@@ -81,10 +81,11 @@ export class OpenList {
     }
   }
 
-  /** The list as it would be saved. Without the program: as it was last asked for, if nothing was changed since. */
-  async copy(): Promise<string | null> {
+  /** The list as it would be saved. Without the program: as it was last asked for, which may lack the last changes. */
+  async copy(): Promise<{ toml: string; isWhole: boolean } | null> {
     await this.refreshText();
-    return this.text.value?.toml ?? null;
+    const text = this.text.value;
+    return text && { toml: text.toml, isWhole: text.pairs === this.pairs.value };
   }
 
   private async refreshText(): Promise<void> {

@@ -3,12 +3,12 @@
 import { batch, computed, signal } from '@preact/signals';
 import type { Clip } from '../data/clip';
 import type { FileEntry, Problem } from '../data/types';
+import { nameOf } from '../state/names';
 import * as playback from '../state/playback';
 import { loadClip, loadedClips, problemOf, session } from '../state/session';
 import * as stage from '../state/stage';
 import { alongWhole, evenly, type PairStep } from './in_step';
 import { FEWEST_FRAMES, type Mark, moved, onsetsOf, placeOf, snapped } from './marks';
-import { shortened } from './names';
 import { alignmentOf, OpenList } from './open_list';
 import { type Pair, type Range, SIDES, type Side, type SideName, withFrames } from './pair';
 
@@ -26,17 +26,6 @@ export const remarks = signal<readonly Problem[]>([]);
 export const pairFiles = computed<readonly FileEntry[]>(() =>
   (session.value?.files ?? []).filter((file) => file.kind === 'pairs'),
 );
-
-const shortNames = computed<ReadonlyMap<string, string>>(() => {
-  const clips = (session.value?.files ?? []).filter((file) => file.kind === 'clip');
-  const names = shortened(clips.map((file) => file.name));
-  return new Map(clips.map((file, i) => [file.id, names[i]!]));
-});
-
-/** A clip's name as short as tells it apart. */
-export function nameOf(clip: string): string {
-  return shortNames.value.get(clip) ?? clip;
-}
 
 /** Shows a list; it is read when it is shown for the first time. */
 export function openList(file: FileEntry): void {

@@ -98,7 +98,7 @@ function Shown({ actor, isReference }: { actor: Actor; isReference: boolean }) {
     <li>
       <p class="shown">
         <Swatch number={actor.colour} />
-        <span class="title">
+        <span class="title" title={actor.clip.name}>
           <FileName name={actor.title} />
         </span>
         <FrameShown key={actor.clip.id} actor={actor} />

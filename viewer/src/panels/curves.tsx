@@ -12,14 +12,13 @@ import { actors, step } from '../state/stage';
 import { written } from '../state/ticks';
 
 /** A chart's least height, and what stands above it; as in curves.css [px]. */
-const LEAST_HEIGHT = 92;
+const LEAST_HEIGHT = 84;
 const CAPTION = 28;
 
-/** What the time axis tells: whose time it is. */
+/** What the time axis tells: whose time it is. What the others follow is said where that is chosen. */
 function timeTitle(): string {
   const [first, ...others] = actors.value;
-  if (others.length === 0 || step.value === 'time') return 'time [s]';
-  return `time of ${first!.title} [s]${step.value === 'frame' ? ', frame by frame' : ', the others where they belong to it'}`;
+  return others.length === 0 || step.value === 'time' ? 'time [s]' : `time of ${first!.title} [s]`;
 }
 
 /** Light or dark, as the screen is. */

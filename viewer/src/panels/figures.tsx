@@ -2,6 +2,7 @@
 import type { Extreme, Figure } from '../data/types';
 import { isPlaying, seek } from '../state/playback';
 import { actors } from '../state/stage';
+import { FileName } from '../ui/file_name';
 import { Swatch } from '../ui/swatch';
 import { type FigureCell, type FigureRow, figureRows, type Mark, momentOf, shown } from './figure_rows';
 import './figures.css';
@@ -33,8 +34,11 @@ function Cell(cell: FigureCell) {
   const { actor, figure, mark } = cell;
   return (
     <tr>
-      <th scope="row" title={actor.title}>
-        <Swatch number={actor.colour} /> {actor.title}
+      <th scope="row" title={actor.clip.name}>
+        <Swatch number={actor.colour} />{' '}
+        <span class="clip">
+          <FileName name={actor.title} />
+        </span>
       </th>
       <td>
         <strong>{figure.value === null ? '–' : shown(figure.value)}</strong>

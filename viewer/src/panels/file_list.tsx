@@ -4,6 +4,7 @@
 import type { FileEntry, Problem } from '../data/types';
 import { choose, chosen, isChosen, numbers, setReference } from '../state/compare';
 import { clipsListedBy, type FileGroup, fileGroups } from '../state/file_groups';
+import { leftOut, nameOf } from '../state/names';
 import { loadedClips, mode, namedClips, numLoading, problems, session } from '../state/session';
 import { actors } from '../state/stage';
 import { written } from '../state/ticks';
@@ -41,7 +42,7 @@ function ClipFacts({ id }: { id: string }) {
   return (
     <>
       <p class="facts number">
-        {written(clip.duration)} s, {numFrames} frames at {Number(frameRate.toFixed(2))} Hz
+        {written(clip.duration)} s, {numFrames}&nbsp;frames at {Number(frameRate.toFixed(2))}&nbsp;Hz
       </p>
       <Notes notes={notes} />
     </>
@@ -62,7 +63,7 @@ function ClipChoice({ file }: { file: FileEntry }) {
           onChange={(event) => choose(file.id, event.currentTarget.checked)}
         />
         <Swatch number={numberOf(file.id)} />
-        <FileName name={file.name} />
+        <FileName name={nameOf(file.id)} />
       </label>
       {isOn && chosen.value.length > 1 && (
         <button
@@ -87,7 +88,7 @@ function Clip({ file }: { file: FileEntry }) {
       ) : (
         <p class="name">
           <Swatch number={numberOf(file.id)} />
-          <FileName name={file.name} />
+          <FileName name={nameOf(file.id)} />
         </p>
       )}
       <ClipFacts id={file.id} />
@@ -127,6 +128,11 @@ function Group({ group }: { group: FileGroup }) {
   return (
     <section class="part">
       <h2>{group.title}</h2>
+      {group.kind === 'clip' && leftOut.value && (
+        <p class="facts" title="All names begin so; the list leaves it out">
+          <FileName name={leftOut.value} />…
+        </p>
+      )}
       <ul>
         {group.files.map((file) =>
           file.kind === 'clip' ? <Clip key={file.id} file={file} /> : <OtherFile key={file.id} file={file} />,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One movement and its label: progress, sliders, comment, keys; and what is shown when everything is labelled.
-import { useSignalEffect } from '@preact/signals';
+import { type Signal, useSignalEffect } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { LabelDesk } from '../label/desk';
 import { factorsShown } from '../label/draft';
@@ -10,7 +10,7 @@ import { viewsOf } from '../label/views';
 import { facesAlike, look } from '../scene/view_state';
 import { isPlaying, loop, play, time } from '../state/playback';
 import { remembered } from '../state/remembered';
-import { actors } from '../state/stage';
+import { actors, layout } from '../state/stage';
 import { ProblemNote } from '../ui/problem_note';
 import { useShortcuts } from '../ui/use_shortcuts';
 import { LabelFactor } from './label_factor';
@@ -110,6 +110,21 @@ function Actions({ desk }: { desk: LabelDesk }) {
   );
 }
 
+function Switch({ on, title }: { on: Signal<boolean>; title: string }) {
+  return (
+    <label>
+      <input
+        type="checkbox"
+        checked={on.value}
+        onChange={(event) => {
+          on.value = event.currentTarget.checked;
+        }}
+      />
+      {title}
+    </label>
+  );
+}
+
 function Help() {
   return (
     <div class="part label-help">
@@ -132,26 +147,8 @@ function Help() {
           the whole movement, and by how it is done rather than by what is done.
         </p>
       </details>
-      <label>
-        <input
-          type="checkbox"
-          checked={asksSpace.value}
-          onChange={(event) => {
-            asksSpace.value = event.currentTarget.checked;
-          }}
-        />
-        Ask for Space, too
-      </label>
-      <label>
-        <input
-          type="checkbox"
-          checked={showsTwoSides.value}
-          onChange={(event) => {
-            showsTwoSides.value = event.currentTarget.checked;
-          }}
-        />
-        Show it from the front and from the side
-      </label>
+      <Switch on={asksSpace} title="Ask for Space, too" />
+      <Switch on={showsTwoSides} title="Show the front and the side" />
     </div>
   );
 }
@@ -177,10 +174,12 @@ function useStage(desk: LabelDesk): void {
     else play();
   });
   useEffect(() => {
-    const before = facesAlike.peek();
+    const before = { facesAlike: facesAlike.peek(), layout: layout.peek() };
     facesAlike.value = false; // one of the two is turned
+    layout.value = 'side-by-side';
     return () => {
-      facesAlike.value = before;
+      facesAlike.value = before.facesAlike;
+      layout.value = before.layout;
       actors.value = [];
     };
   }, []);

@@ -2,26 +2,18 @@
 // Both clips of the selected pair from their first frame to their last, with the stretches that belong together between
 // cut marks. Marks are dragged or moved by arrow keys; with Shift held down they go to where a foot comes down.
 import { useSignal, useSignalEffect } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import type { Clip } from '../data/clip';
 import type { PairStep } from '../pairs/in_step';
 import { type Mark, nextOnset, onsetsOf } from '../pairs/marks';
 import { type Range, SIDES, type SideName } from '../pairs/pair';
-import {
-  current,
-  frameOfMark,
-  held,
-  moveMark,
-  nameOf,
-  pairStep,
-  rangeOf,
-  showMark,
-  shownClips,
-} from '../pairs/showing';
+import { current, frameOfMark, held, moveMark, pairStep, rangeOf, showMark, shownClips } from '../pairs/showing';
+import { fullNameOf, nameOf } from '../state/names';
 import { frameAt, time } from '../state/playback';
 import { actors } from '../state/stage';
 import { ticksOf, written } from '../state/ticks';
 import { Swatch } from '../ui/swatch';
+import { useSize } from '../ui/use_size';
 
 const FEET = ['left', 'right'] as const;
 const FAR = 10;
@@ -161,15 +153,8 @@ function Now({ scale, number }: { scale: Scale; number: number }) {
 
 function Strip({ side, clip, range, isNear }: { side: SideName; clip: Clip; range: Range; isNear: boolean }) {
   const box = useRef<HTMLDivElement>(null);
-  const width = useSignal(0);
+  const width = useSize(box, 'width');
   const number = SIDES.indexOf(side);
-  useEffect(() => {
-    const watch = new ResizeObserver(([entry]) => {
-      width.value = entry!.contentRect.width;
-    });
-    watch.observe(box.current!);
-    return () => watch.disconnect();
-  }, [width]);
   const around = range[1] - range[0];
   // While a mark is held the strip stays where it is.
   const near = useRef<Range>([0, 0]);
@@ -178,7 +163,7 @@ function Strip({ side, clip, range, isNear }: { side: SideName; clip: Clip; rang
   const scale: Scale = { from, to, width: width.value };
   return (
     <div class="strip">
-      <span class="name" title={nameOf(clip.id)}>
+      <span class="name" title={fullNameOf(clip.id)}>
         <Swatch number={number} /> <b>{side}</b> {nameOf(clip.id)}
       </span>
       <div class="track" ref={box} style={{ '--own': `var(--clip-${number})` }}>

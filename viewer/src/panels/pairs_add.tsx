@@ -2,7 +2,8 @@
 // A new pair of two clips of the session; its stretches are cut on the strips like those of any other.
 import { useSignal } from '@preact/signals';
 import type { OpenList } from '../pairs/open_list';
-import { nameOf, rangeOf } from '../pairs/showing';
+import { rangeOf } from '../pairs/showing';
+import { nameOf } from '../state/names';
 import { loadClip, session } from '../state/session';
 
 function ClipChoice(props: { label: string; value: string; set: (id: string) => void }) {

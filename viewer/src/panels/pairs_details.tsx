@@ -3,7 +3,8 @@
 import { factsOf } from '../pairs/facts';
 import type { OpenList } from '../pairs/open_list';
 import { isCut, type Pair, SIDES } from '../pairs/pair';
-import { nameOf, rangeOf, remarks, shownClips } from '../pairs/showing';
+import { rangeOf, remarks, shownClips } from '../pairs/showing';
+import { fullNameOf } from '../state/names';
 import { ProblemNote } from '../ui/problem_note';
 import { Swatch } from '../ui/swatch';
 
@@ -25,7 +26,7 @@ function Facts({ pair }: { pair: Pair }) {
         <tr>
           <th>{kind === 'other' ? '' : kind}</th>
           {SIDES.map((side, number) => (
-            <th key={side} class="number" title={nameOf(pair[side].clip)}>
+            <th key={side} class="number" title={fullNameOf(pair[side].clip)}>
               {side} <Swatch number={number} />
             </th>
           ))}

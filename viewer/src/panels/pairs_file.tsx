@@ -4,15 +4,22 @@ import { useSignal } from '@preact/signals';
 import type { OpenList } from '../pairs/open_list';
 import { progressOf } from '../pairs/pair';
 import { openList, pairFiles } from '../pairs/showing';
+import { download } from '../ui/download';
 import { ProblemNote } from '../ui/problem_note';
+import { UndoRedo } from '../ui/undo_redo';
 
-function offer(toml: string, name: string): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([toml], { type: 'application/toml' }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000); // the browser has begun by then
-}
+const START_AGAIN = 'Start strut view again on the same files and open the address it prints; ';
+/** What a copy lacks that was made while the program does not answer: it is the program that writes the text. */
+const LACKS = {
+  last: {
+    message: 'The copy lacks what was changed last: the program ended before it had written that down.',
+    hint: `${START_AGAIN}what the copy lacks has to be done again there.`,
+  },
+  everything: {
+    message: 'No copy can be made: the text of the list is written by the program, which does not answer.',
+    hint: `${START_AGAIN}what is not saved here has to be done again there.`,
+  },
+};
 
 function fileName(list: OpenList): string {
   return list.file.path.split('/').at(-1) ?? list.file.name;
@@ -81,11 +88,11 @@ function Trouble({ list, saveCopy }: { list: OpenList; saveCopy: () => void }) {
 }
 
 export function PairsFile({ list }: { list: OpenList }) {
-  const copied = useSignal<'done' | 'impossible' | null>(null);
+  const lacks = useSignal<keyof typeof LACKS | null>(null);
   const saveCopy = async () => {
-    const toml = await list.copy();
-    if (toml !== null) offer(toml, fileName(list));
-    copied.value = toml === null ? 'impossible' : 'done';
+    const copy = await list.copy();
+    if (copy) download(fileName(list), new Blob([copy.toml], { type: 'application/toml' }));
+    lacks.value = copy === null ? 'everything' : copy.isWhole ? null : 'last';
   };
   const { past, future } = list.history.value;
   const isUnsaved = list.isUnsaved.value;
@@ -117,37 +124,14 @@ export function PairsFile({ list }: { list: OpenList }) {
             >
               Save a copy
             </button>
-            <span class="choice">
-              <button
-                type="button"
-                aria-label="Undo"
-                title="Undo (U)"
-                disabled={past.length === 0}
-                onClick={() => list.undo()}
-              >
-                ↶
-              </button>
-              <button
-                type="button"
-                aria-label="Redo"
-                title="Redo (Shift+U)"
-                disabled={future.length === 0}
-                onClick={() => list.redo()}
-              >
-                ↷
-              </button>
-            </span>
+            <UndoRedo
+              undo={{ keys: 'U', isPossible: past.length > 0, action: () => list.undo() }}
+              redo={{ keys: 'Shift+U', isPossible: future.length > 0, action: () => list.redo() }}
+            />
           </div>
         </>
       )}
-      {copied.value === 'impossible' && (
-        <ProblemNote
-          problem={{
-            message: 'There is no copy to be had: the text of the list is made by the program.',
-            hint: 'Keep this page open, start strut view again with the same --port and --token, and try again.',
-          }}
-        />
-      )}
+      {lacks.value && <ProblemNote problem={LACKS[lacks.value]} />}
       <Trouble list={list} saveCopy={() => void saveCopy()} />
     </section>
   );

@@ -6,7 +6,8 @@ import { factsOf, type Kind } from '../pairs/facts';
 import type { OpenList } from '../pairs/open_list';
 import { EVERYTHING, type SortKey, type Wish } from '../pairs/order';
 import { isCut, type Pair, type Side, type Verdict } from '../pairs/pair';
-import { nameOf } from '../pairs/showing';
+import { nameOf } from '../state/names';
+import { useSize } from '../ui/use_size';
 import { PairsAdd } from './pairs_add';
 
 /** As in pairs.css [px]. */
@@ -14,7 +15,7 @@ const ROW = 44;
 const SPARE_ROWS = 4;
 
 const SORTS: readonly (readonly [SortKey, string])[] = [
-  ['list', 'as in the list'],
+  ['list', 'list order'],
   ['distance', 'by distance'],
   ['kind', 'by kind'],
   ['input', 'by input clip'],
@@ -95,7 +96,7 @@ function Row({ pair, list, place }: { pair: Pair; list: OpenList; place: number 
         {SIGNS[pair.verdict]}
       </span>
       <span class="what">
-        <b class="number">{pair.id + 1}</b> {pair.proposed === null ? 'added' : kind}
+        <b class="number">{pair.id + 1}</b> {pair.proposed === null ? 'added' : kind !== 'other' && kind}
         {isCut(pair) && <em> cut anew</em>}
         {distance !== null && <span class="number distance">{distance.toFixed(2)}</span>}
       </span>
@@ -109,16 +110,9 @@ function Row({ pair, list, place }: { pair: Pair; list: OpenList; place: number 
 export function PairsList({ list }: { list: OpenList }) {
   const box = useRef<HTMLDivElement>(null);
   const top = useSignal(0);
-  const height = useSignal(0);
+  const height = useSize(box, 'height');
   const shown = list.shown.value;
   const at = shown.findIndex((pair) => pair.id === list.selected.value);
-  useEffect(() => {
-    const watch = new ResizeObserver(([entry]) => {
-      height.value = entry!.contentRect.height;
-    });
-    watch.observe(box.current!);
-    return () => watch.disconnect();
-  }, [height]);
   useEffect(() => {
     const element = box.current!;
     if (at < 0) return;

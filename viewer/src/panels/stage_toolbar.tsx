@@ -2,6 +2,7 @@
 // The stage's toolbar: how the clips stand to each other, what is drawn, and from where one looks.
 import type { Signal } from '@preact/signals';
 import { facesAlike, look, startsTogether, turn, type View } from '../scene/view_state';
+import { mode } from '../state/session';
 import type { Shortcut } from '../state/shortcuts';
 import { actors, followsRoot, layout, showsGrid, showsPlants, showsSlide } from '../state/stage';
 import { useShortcuts } from '../ui/use_shortcuts';
@@ -46,13 +47,24 @@ const flip = (on: Signal<boolean>) => {
   on.value = !on.value;
 };
 
+/** What is labelled is one movement, seen from two sides at most: its layout is its own. */
+function hasLayouts(): boolean {
+  return mode.value !== 'label';
+}
+
 function changeLayout(): void {
   layout.value = layout.value === 'overlaid' ? 'side-by-side' : 'overlaid';
 }
 
 const SHORTCUTS: readonly Shortcut[] = [
-  { keys: 'l', description: 'Side by side or overlaid', group: 'View', action: changeLayout },
-  { keys: 'e', description: 'Begin alike: same heading, or one place', group: 'View', action: () => flip(alike()) },
+  { keys: 'l', description: 'Side by side or overlaid', group: 'View', action: changeLayout, when: hasLayouts },
+  {
+    keys: 'e',
+    description: 'Begin alike: same heading, or one place',
+    group: 'View',
+    action: () => flip(alike()),
+    when: hasLayouts,
+  },
   ...SWITCHES.map(({ hint, letter, on }) => ({
     keys: letter,
     description: hint,
@@ -114,7 +126,7 @@ export function StageToolbar() {
   useShortcuts(SHORTCUTS);
   return (
     <div class="stage-toolbar" role="toolbar" aria-label="View">
-      <LayoutChoice />
+      {hasLayouts() && <LayoutChoice />}
       <fieldset>
         <legend class="visually-hidden">What is drawn</legend>
         {SWITCHES.map((entry) => (

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The bar of the timeline: where the clock stands, the stretch that is played over and over, and when the feet of the
 // first clip stand. Drag to scrub; drag with Shift held down to choose a stretch.
-import { useComputed, useSignal } from '@preact/signals';
+import { useComputed } from '@preact/signals';
 import type { RefObject } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import * as playback from '../state/playback';
 import { duration, frameRange, frameRate, isPlaying, loop, seek, time } from '../state/playback';
 import { actors } from '../state/stage';
 import { tickName, ticksOf, written } from '../state/ticks';
 import { useLive } from '../ui/use_live';
+import { useSize } from '../ui/use_size';
 
 /** Where an element will be. */
 type Place = RefObject<HTMLDivElement | null>;
@@ -158,15 +159,8 @@ function useClock(bar: Place, mark: Place): void {
 export function TimelineTrack() {
   const bar = useRef<HTMLDivElement>(null);
   const mark = useRef<HTMLDivElement>(null);
-  const width = useSignal(0);
+  const width = useSize(bar, 'width');
   const isEmpty = useComputed(() => duration.value === 0);
-  useEffect(() => {
-    const watch = new ResizeObserver(([entry]) => {
-      width.value = entry!.contentRect.width;
-    });
-    watch.observe(bar.current!);
-    return () => watch.disconnect();
-  }, [width]);
   useClock(bar, mark);
   // The loop's ends lie beside the slider, not within it: a slider has no parts of its own that can be reached.
   return (

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which clip is translated by which models: one, or several with a share each; and what they were learnt from.
+import { nameOf } from '../state/names';
 import { loadClip } from '../state/session';
 import { withModel, withOtherModel, withoutModel, withShare } from '../translate/controls';
 import { change, clipFiles, modelFiles, models, settings, tellProblem, truth } from '../translate/translating';
@@ -23,6 +24,10 @@ function Chooser(props: {
       ))}
     </select>
   );
+}
+
+function inShort({ id }: { id: string }) {
+  return { id, name: nameOf(id) };
 }
 
 function ModelFacts({ id }: { id: string }) {
@@ -118,7 +123,10 @@ function Truth() {
       tellProblem(error);
     }
   };
-  const choices = [{ id: '', name: 'nothing' }, ...clipFiles.value.filter(({ id }) => id !== settings.value.clip)];
+  const choices = [
+    { id: '', name: 'nothing' },
+    ...clipFiles.value.filter(({ id }) => id !== settings.value.clip).map(inShort),
+  ];
   if (choices.length === 1) return null;
   return (
     // biome-ignore lint/a11y/noLabelWithoutControl: the control is a component
@@ -139,7 +147,7 @@ export function TranslateModels() {
         <Chooser
           label="Clip"
           value={clip}
-          choices={clipFiles.value}
+          choices={clipFiles.value.map(inShort)}
           choose={(id) => change({ ...settings.peek(), clip: id }, 'clip')}
         />
       </label>

@@ -2,18 +2,10 @@
 // What becomes of the result: saved as BVH, or its command taken to a terminal; and one step back or forth.
 import { useSignal } from '@preact/signals';
 import * as translating from '../translate/translating';
+import { download } from '../ui/download';
+import { UndoRedo } from '../ui/undo_redo';
 
 const { canRedo, canUndo, result, settings } = translating;
-
-/** Lets the browser save a file. */
-function download(name: string, content: Blob): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  // The browser takes the address over at once, but not within the click.
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
 
 async function save(): Promise<void> {
   try {
@@ -42,19 +34,19 @@ export function TranslateOutput() {
   };
   return (
     <section class="part translate-output">
-      <h2>Result</h2>
+      <div class="row head">
+        <h2>Result</h2>
+        <UndoRedo
+          undo={{ keys: 'Ctrl+Z', isPossible: canUndo.value, action: translating.undo }}
+          redo={{ keys: 'Ctrl+Shift+Z', isPossible: canRedo.value, action: translating.redo }}
+        />
+      </div>
       <div class="row">
         <button type="button" class="primary" disabled={!result.value} onClick={() => void save()}>
           Save as BVH
         </button>
         <button type="button" disabled={!result.value} onClick={() => void copy()}>
           Copy command
-        </button>
-        <button type="button" disabled={!canUndo.value} title="Undo (Ctrl+Z)" onClick={translating.undo}>
-          Undo
-        </button>
-        <button type="button" disabled={!canRedo.value} title="Redo (Ctrl+Shift+Z)" onClick={translating.redo}>
-          Redo
         </button>
       </div>
       {command.value && (

@@ -4,6 +4,7 @@
 import { batch, useSignalEffect } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { withoutHoles } from '../state/aligning';
+import { nameOf } from '../state/names';
 import { loadClip, loadedClips, source } from '../state/session';
 import type { Shortcut } from '../state/shortcuts';
 import { type Actor, actors, alignments, step } from '../state/stage';
@@ -45,7 +46,7 @@ function actorsNow(): Actor[] {
   if (input) shown.push({ clip: input, colour: 0, title: 'input' });
   if (input && result.value) shown.push({ clip: result.value.clip, colour: 1, title: 'output' });
   const real = loadedClips.value.get(truth.value);
-  if (input && real) shown.push({ clip: real, colour: 2, title: `compared: ${real.name}` });
+  if (input && real) shown.push({ clip: real, colour: 2, title: `compared: ${nameOf(truth.value)}` });
   return shown;
 }
 

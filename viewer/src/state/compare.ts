@@ -3,6 +3,7 @@
 // person takes them off; the first one is the reference.
 import { computed, effect, signal } from '@preact/signals';
 import { numbered } from './looks';
+import { nameOf } from './names';
 import { loadClip, loadedClips, namedClips, problems, session } from './session';
 import type { Actor } from './stage';
 
@@ -36,7 +37,7 @@ effect(() => {
 export const comparedActors = computed<Actor[]>(() =>
   chosen.value.flatMap((id) => {
     const clip = loadedClips.value.get(id);
-    return clip ? [{ clip, colour: numbers.value.get(id) ?? 0, title: clip.name }] : [];
+    return clip ? [{ clip, colour: numbers.value.get(id) ?? 0, title: nameOf(id) }] : [];
   }),
 );
 

@@ -9,7 +9,7 @@ export interface Actor {
   clip: Clip;
   /** Which of the colours and line patterns of style.css tells it from the others, from 0. */
   colour: number;
-  /** What stands by it, e.g. "input" or the file's name. */
+  /** What stands by it, e.g. "input" or the file's short name. */
   title: string;
   /** The frames [begin, end) that are played; the whole clip if there are none. */
   frames?: [number, number];

@@ -135,7 +135,7 @@ describe('translating', () => {
   });
 
   it('shows a recorded truth beside', async () => {
-    await page.getByRole('combobox', { name: 'Compare with' }).selectOption({ label: 'truth.bvh' });
+    await page.getByRole('combobox', { name: 'Compare with' }).selectOption({ label: 'truth' });
     await expect.poll(() => page.evaluate(() => window.strut.stage.actors.value.length)).toBe(3);
   });
 });
