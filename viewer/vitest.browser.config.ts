@@ -7,6 +7,8 @@ export default defineConfig({
   test: {
     include: ['tests/browser/**/*.test.ts'],
     globalSetup: 'tests/browser/support/demo.ts',
+    setupFiles: 'tests/browser/support/failures.ts',
+    sequence: { hooks: 'list' }, // pages are shown before a test's own hooks close them
     fileParallelism: false,
     testTimeout: 60_000,
     hookTimeout: 120_000,
