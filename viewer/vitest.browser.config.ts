@@ -10,6 +10,7 @@ export default defineConfig({
     setupFiles: 'tests/browser/support/failures.ts',
     sequence: { hooks: 'list' }, // pages are shown before a test's own hooks close them
     fileParallelism: false,
+    expect: { poll: { timeout: 20_000, interval: 100 } }, // others may be at work on the machine
     testTimeout: 60_000,
     hookTimeout: 120_000,
   },

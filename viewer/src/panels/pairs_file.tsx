@@ -144,7 +144,7 @@ export function PairsFile({ list }: { list: OpenList }) {
         <ProblemNote
           problem={{
             message: 'There is no copy to be had: the text of the list is made by the program.',
-            hint: 'Keep this page open, start strut view again with the same --port and --token, and try again.',
+            hint: 'What was changed since it ended is on this page only: start strut view again and repeat it there.',
           }}
         />
       )}
