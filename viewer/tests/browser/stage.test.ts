@@ -48,7 +48,7 @@ async function settled(): Promise<number> {
       await new Promise(requestAnimationFrame);
     }
     return Number(before);
-  }, 20);
+  }, 10);
 }
 
 describe('the stage', () => {
