@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A rater labels in the real page, by keys alone; the program is killed in the middle and nothing is lost.
 import { execFileSync } from 'node:child_process';
-import { rmSync } from 'node:fs';
+import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
@@ -58,6 +58,25 @@ async function label(page: Page, count: number): Promise<void> {
   await waitForLabels(page, count);
 }
 
+/** The labels themselves, as a table of another program's: which movement, whether again, and what was said. */
+async function exported(rater: string): Promise<{ movement: string; said: string }[]> {
+  const table = join(OUTPUT, 'label.csv');
+  await run('effort', 'labels', DATABASE, '--export', table, '--force');
+  const [head, ...rows] = readFileSync(table, 'utf8').trim().split('\n');
+  const places = head!.split(',');
+  const entries = rows.map((row) => {
+    const cells = row.split(',');
+    return (name: string) => cells[places.indexOf(name)];
+  });
+  const movement = ['fragment', 'first', 'second', 'alpha', 'repeat'];
+  return entries
+    .filter((cell) => cell('rater') === rater)
+    .map((cell) => ({
+      movement: movement.map(cell).join(' '),
+      said: ['flow', 'weight', 'time'].map(cell).join(' '),
+    }));
+}
+
 describe('labelling', { timeout: PATIENCE }, () => {
   it('takes ten labels by keys, over the death of the program, without loss', async () => {
     let view = await View.start(DATABASE);
@@ -80,11 +99,26 @@ describe('labelling', { timeout: PATIENCE }, () => {
     const second = await openPage(browser, view.address, SCREEN);
     await startLabelling(second.page, 'ada');
     await waitForLabels(second.page, 5);
-    for (let count = 6; count <= 10; ++count) await label(second.page, count);
-    expect(labelsOf('ada')).toBe(10);
+    for (let count = 6; count <= 7; ++count) await label(second.page, count);
     expect(second.errors).toEqual([]);
+    await rate(second.page);
+    await second.page.keyboard.press('Enter');
+    await view.stop('SIGKILL'); // while it stores, or just before or after
+    const stored = labelsOf('ada');
+    expect([7, 8]).toContain(stored);
     await second.page.context().close();
+
+    view = await View.start(DATABASE);
+    const third = await openPage(browser, view.address, SCREEN);
+    await startLabelling(third.page, 'ada');
+    await waitForLabels(third.page, stored);
+    for (let count = stored + 1; count <= 10; ++count) await label(third.page, count);
+    expect(third.errors).toEqual([]);
+    await third.page.context().close();
     await view.stop();
+    const labels = await exported('ada');
+    expect(labels.map(({ said }) => said)).toEqual(Array(10).fill('0.2 -0.11 not present'));
+    expect(new Set(labels.map(({ movement }) => movement)).size).toBe(10);
   });
 
   it('asks for a word on every factor, and undoes', async () => {

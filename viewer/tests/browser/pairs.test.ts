@@ -90,9 +90,9 @@ describe('pairs', () => {
     await page.keyboard.press('m'); // begin
     await page.keyboard.press('ArrowRight');
     await page.keyboard.press('ArrowRight');
-    expect(await frameOf('input begin')).toBe(begin + 2);
+    await expect.poll(() => frameOf('input begin')).toBe(begin + 2);
     await drag('output end', 60);
-    expect(await status()).toContain('not saved');
+    await expect.poll(status).toContain('not saved');
     expect(saved()).toBe(before);
     await save();
     const text = saved();
@@ -121,14 +121,14 @@ describe('pairs', () => {
     await openList();
     const begin = await frameOf('input begin');
     await drag('input begin', 25);
-    expect(await frameOf('input begin')).not.toBe(begin);
+    await expect.poll(() => frameOf('input begin')).not.toBe(begin);
     await page.keyboard.press('r');
     await page.keyboard.press('u');
     await page.keyboard.press('u');
-    expect(await frameOf('input begin')).toBe(begin);
-    expect(await status()).toBe('saved');
+    await expect.poll(() => frameOf('input begin')).toBe(begin);
+    await expect.poll(status).toBe('saved');
     await page.keyboard.press('Shift+u');
-    expect(await status()).toContain('not saved');
+    await expect.poll(status).toContain('not saved');
   });
 
   it('show the same phase of both at once', async () => {
@@ -158,8 +158,9 @@ describe('pairs', () => {
 
   it('are not lost when the program ends', async () => {
     await openList();
+    const text = page.waitForResponse(/\/text$/);
     await page.keyboard.press('r');
-    await page.waitForTimeout(1000); // the text of the list has come
+    await (await text).finished();
     await view.stop('SIGKILL');
     await page.keyboard.press('Control+s');
     await page.waitForSelector('.trouble');

@@ -65,12 +65,14 @@ describe('the page', () => {
 
   it('is not shown inside a page of another site', async () => {
     const { page } = await openPage(browser, `http://127.0.0.1:${(other.address() as AddressInfo).port}/`);
-    await page.evaluate((address) => {
+    // What the browser shows instead of a refused page loads, too.
+    await page.evaluate(async (address) => {
       const frame = document.createElement('iframe');
       frame.src = address;
+      const hasLoaded = new Promise((done) => frame.addEventListener('load', done));
       document.body.append(frame);
+      await hasLoaded;
     }, view.address);
-    await page.waitForTimeout(500);
     const inner = page.frames().find((frame) => frame !== page.mainFrame());
     expect(await inner?.locator('#app').count()).toBeFalsy();
     await page.context().close();

@@ -37,18 +37,24 @@ async function drawn(): Promise<number> {
   return Number(await page.locator('.stage').getAttribute('data-frames-drawn'));
 }
 
-/** Waits until nothing is drawn any more; how many pictures there were by then. */
+/** Waits until nothing is drawn any more, for so many frames of the display; how many pictures there were by then. */
 async function settled(): Promise<number> {
-  for (let before = -1, now = await drawn(); ; before = now, now = await drawn()) {
-    if (now > 0 && now === before) return now;
-    await page.waitForTimeout(700);
-  }
+  await page.waitForFunction(() => Number(document.querySelector<HTMLElement>('.stage')?.dataset.framesDrawn) > 0);
+  return page.evaluate(async (least) => {
+    const { dataset } = document.querySelector<HTMLElement>('.stage')!;
+    let before = '';
+    for (let still = 0; still < least; still = dataset.framesDrawn === before ? still + 1 : 0) {
+      before = dataset.framesDrawn!;
+      await new Promise(requestAnimationFrame);
+    }
+    return Number(before);
+  }, 10);
 }
 
 describe('the stage', () => {
   it('draws nothing while nothing changes, and again when the moment does', async () => {
     const before = await settled();
-    await page.waitForTimeout(1000);
+    await page.waitForTimeout(1000); // in which it would have drawn
     expect(await drawn()).toBe(before);
     await page.evaluate(() => window.strut.playback.seek(0.5));
     await expect.poll(drawn).toBeGreaterThan(before);
@@ -150,9 +156,10 @@ async function findJoint(): Promise<{ x: number; y: number; name: string }> {
     for (let x = box.x + box.width * 0.25; x < box.x + box.width * 0.75; x += 14) {
       await page.mouse.move(x, y);
       const label = page.locator('.joint-label');
-      if ((await label.evaluate((element) => element.style.visibility)) !== 'visible') continue;
-      await settled();
-      return { x, y, name: (await label.textContent())! };
+      const isSeen = () => label.evaluate((element) => element.style.visibility === 'visible');
+      if (!(await isSeen())) continue;
+      await settled(); // it may have been seen for a place before
+      if (await isSeen()) return { x, y, name: (await label.textContent())! };
     }
   }
   throw new Error('there is no joint');

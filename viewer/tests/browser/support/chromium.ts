@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Debian's Chromium, drawing in software and calling nobody.
 import { type Browser, chromium, type Page } from 'playwright-core';
+import { watch } from './failures';
 
 const FLAGS = [
   '--no-sandbox', // CI runs as root
@@ -36,6 +37,7 @@ export async function openPage(
   page.on('console', (message) => {
     if (message.type() === 'error') errors.push(message.text());
   });
+  watch(page, errors);
   await page.goto(address);
   return { page, errors };
 }
