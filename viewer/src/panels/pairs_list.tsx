@@ -120,8 +120,10 @@ export function PairsList({ list }: { list: OpenList }) {
     const below = (at + 1) * ROW - element.clientHeight;
     if (below > element.scrollTop) element.scrollTop = below;
   }, [at, list]);
-  const first = Math.max(0, Math.floor(top.value / ROW) - SPARE_ROWS);
-  const last = Math.ceil((top.value + height.value) / ROW) + SPARE_ROWS;
+  // A list that has become shorter is scrolled back by the browser, which tells it only later.
+  const from = Math.max(0, Math.min(top.value, shown.length * ROW - height.value));
+  const first = Math.max(0, Math.floor(from / ROW) - SPARE_ROWS);
+  const last = Math.ceil((from + height.value) / ROW) + SPARE_ROWS;
   return (
     <section class="part pairs-list">
       <Filters list={list} />
