@@ -8,6 +8,12 @@
 namespace strut::cli {
 namespace {
 
+constexpr std::array<std::pair<const char*, LengthUnit>, 5> kUnits = {{{"m", LengthUnit::kMetre},
+                                                                       {"cm", LengthUnit::kCentimetre},
+                                                                       {"mm", LengthUnit::kMillimetre},
+                                                                       {"in", LengthUnit::kInch},
+                                                                       {"ft", LengthUnit::kFoot}}};
+
 std::string lower(std::string word) {
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return word;
@@ -20,11 +26,6 @@ std::string lower(std::string word) {
 }  // namespace
 
 LengthUnit parse_unit(const std::string& option, const std::string& word) {
-  constexpr std::array<std::pair<const char*, LengthUnit>, 5> kUnits = {{{"m", LengthUnit::kMetre},
-                                                                         {"cm", LengthUnit::kCentimetre},
-                                                                         {"mm", LengthUnit::kMillimetre},
-                                                                         {"in", LengthUnit::kInch},
-                                                                         {"ft", LengthUnit::kFoot}}};
   for (const auto& [name, unit] : kUnits) {
     if (lower(word) == name) return unit;
   }
@@ -59,6 +60,16 @@ void add_bvh_read_options(CLI::App& command, const std::string& prefix, BvhReadO
           },
           "Whether position channels in the input replace a joint's OFFSET or add to it (default: replace)")
       ->type_name("MODE");
+}
+
+std::string words_of(const BvhReadOptions& options) {
+  std::string words;
+  for (const auto& [name, unit] : kUnits) {
+    if (options.unit == unit) words += std::string(" --unit ") + name;
+  }
+  if (options.up) words += std::string(" --up ") + lower(axis_name(*options.up));
+  if (options.positions == PositionChannels::kAddToOffset) words += " --positions add";
+  return words;
 }
 
 }  // namespace strut::cli

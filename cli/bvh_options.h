@@ -20,4 +20,7 @@ UpAxis parse_up(const std::string& option, const std::string& word);
 /// as long as the command.
 void add_bvh_read_options(CLI::App& command, const std::string& prefix, BvhReadOptions& options);
 
+/// The same options as a person writes them, with the prefix "--" and each after a blank; none for what is as usual.
+std::string words_of(const BvhReadOptions& options);
+
 }  // namespace strut::cli

@@ -82,6 +82,35 @@ std::optional<motion::Legs> legs_of(const std::string& name, const Motion& motio
   }
 }
 
+/// None without legs.
+std::vector<motion::Footplant> plants_of(const Motion& motion, const std::optional<motion::Legs>& legs) {
+  return legs ? postprocess::detect_footplants(motion, *legs) : std::vector<motion::Footplant>{};
+}
+
+bool have_same_feet(const std::optional<motion::Legs>& a, const std::optional<motion::Legs>& b) {
+  if (!a || !b) return !a && !b;
+  return a->left.ankle == b->left.ankle && a->right.ankle == b->right.ankle;
+}
+
+/// The plants of one clip.
+struct Plants {
+  std::vector<motion::Footplant> shown;     ///< of the feet that were named
+  std::vector<motion::Footplant> measured;  ///< of those found by shape, as metrics do whatever feet were named
+  bool are_same = true;
+};
+
+Plants plants_of(const Motion& motion, const std::optional<motion::Legs>& legs, const FeetOptions& feet,
+                 Diagnostics& notes) {
+  const auto found = feet.left.empty() ? legs : motion::find_legs(motion);
+  auto shown = plants_of(motion, legs);
+  if (have_same_feet(legs, found)) return {shown, shown, true};
+  if (legs && found) {
+    notes.note({}, "figures and curves are of the feet found by shape, which are others than those named",
+               "footplants are of the feet that --feet names; how far they slide is not shown on the floor");
+  }
+  return {std::move(shown), plants_of(motion, found), false};
+}
+
 /// The point that is the tip of `joint`; the joint itself if it has none.
 int tip_of(const Skeleton& skeleton, int joint) {
   const auto& joints = skeleton.joints();
@@ -128,26 +157,26 @@ void add_packed(Container& container, std::vector<float> positions, const Motion
 Container clip_answer(const std::string& id, const std::string& name, const Motion& motion, Diagnostics notes,
                       Packing packing, const FeetOptions& feet) {
   const auto legs = legs_of(name, motion, feet, notes);
-  std::vector<motion::Footplant> found;
-  if (legs) found = postprocess::detect_footplants(motion, *legs);
+  const Plants plants = plants_of(motion, legs, feet, notes);
+  const auto slide = slide_of(motion, plants.are_same ? plants.shown : std::vector<motion::Footplant>{});
   Json header{{"id", id},
               {"name", name},
               {"frameRate", motion.frame_rate()},
               {"numFrames", motion.num_frames()},
               {"points", points_of(motion)},
               {"pelvis", motion.skeleton().pelvis()},
-              {"plants", as_json(found)},
-              {"figures", as_json(clip_figures(motion, found))},
+              {"plants", as_json(plants.shown)},
+              {"figures", as_json(clip_figures(motion, plants.measured))},
               {"curves", curves_of(motion)},
               {"notes", as_json(notes)}};
   if (legs) header["legs"] = as_json(*legs, motion.skeleton());
   Container container(std::move(header));
   if (packing == Packing::kExact || motion.num_frames() == 0) {
     container.add("positions", positions_of(motion));
-    container.add("slide", slide_of(motion, found));
+    container.add("slide", slide);
   } else {
     add_packed(container, positions_of(motion), motion);
-    container.add_rounded("slide", slide_of(motion, found));
+    container.add_rounded("slide", slide);
   }
   return container;
 }

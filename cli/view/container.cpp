@@ -34,6 +34,11 @@ Range range_of(const std::vector<float>& values) {
 
 }  // namespace
 
+std::vector<float> as_floats(const Eigen::VectorXd& values) {
+  const Eigen::VectorXf floats = values.cast<float>();
+  return {floats.begin(), floats.end()};
+}
+
 void Container::add(std::string_view name, const std::vector<float>& values) {
   header_["arrays"].push_back({{"name", name}, {"type", "f32"}, {"start", arrays_.size()}, {"count", values.size()}});
   arrays_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));

@@ -8,9 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 namespace strut::cli {
+
+/// Numbers as a container holds them.
+std::vector<float> as_floats(const Eigen::VectorXd& values);
 
 class Container {
  public:

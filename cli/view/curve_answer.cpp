@@ -131,11 +131,6 @@ Choices choices_of(const Motion& motion) {
   return choices;
 }
 
-std::vector<float> as_floats(const Eigen::VectorXd& values) {
-  const Eigen::VectorXf floats = values.cast<float>();
-  return {floats.begin(), floats.end()};
-}
-
 }  // namespace
 
 Container::Json curves_of(const Motion& motion) {

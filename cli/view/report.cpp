@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view/report.h"
 
+#include "svg.h"
 #include "view/alignment_answer.h"
 #include "view/clip_answer.h"
 #include "view/curve_answer.h"
@@ -47,23 +48,6 @@ std::string inert(const Json& json) {
     text.replace(at, 1, "\\u003c");
   }
   return text;
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
 }
 
 std::string id_of(std::size_t clip) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view/translate_request.h"
 
+#include "bvh_options.h"
 #include "style_options.h"
 #include "view/page_server.h"
 
@@ -188,7 +189,7 @@ std::string command_line(const TranslateRequest& request, const Workspace& works
   for (std::size_t i = 1; i < request.models.size(); ++i) {
     command += fmt::format(" --blend {}", quoted(fmt::format("{}={}", path(request.models[i]), weights[i])));
   }
-  return command + options_of(request);
+  return command + options_of(request) + words_of(workspace.options().read);
 }
 
 }  // namespace strut::cli

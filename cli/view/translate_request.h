@@ -32,7 +32,8 @@ nlohmann::ordered_json controls_as_json();
 /// "CLIP_MODEL.bvh", of characters that every system has in names.
 std::string output_name(const TranslateRequest& request, const Workspace& workspace);
 
-/// `strut translate ...` for a shell, with the files as they were named and only what is not as usual.
+/// `strut translate ...` for a shell, with the files as they were named, read as the session reads them, and only what
+/// is not as usual.
 std::string command_line(const TranslateRequest& request, const Workspace& workspace);
 
 }  // namespace strut::cli

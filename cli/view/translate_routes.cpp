@@ -29,11 +29,6 @@ TranslatedClip translate(const TranslateRequest& request, Workspace& workspace, 
   return translate_file(clip->file.path, clip->bvh, models, request.options, request.keep_layout, &diagnostics);
 }
 
-std::vector<float> as_floats(const Eigen::VectorXd& numbers) {
-  const Eigen::VectorXf floats = numbers.cast<float>();
-  return {floats.begin(), floats.end()};
-}
-
 /// The result under an id of its own, as it is another clip each time.
 Reply translated(const Question& question, Workspace& workspace) {
   const TranslateRequest request = parse_translate_request(question.body());

@@ -205,6 +205,23 @@ TEST_F(View, TellsWhereAClipHasNotTheFeetThatWereNamed) {
   EXPECT_THAT(header.at("notes").dump(), HasSubstr("Nose"));
 }
 
+TEST_F(View, PlantsTheFeetThatWereNamedAndMeasuresThoseOfItsShape) {
+  const ViewContainer usual = ViewSession({file("walk.bvh")}).container("clips/c0");
+  const auto ankle = [&](std::size_t foot) {
+    const auto point = usual.header.at("legs")[foot].at("ankle").get<std::size_t>();
+    return usual.header.at("points")[point].at("name").get<std::string>();
+  };
+  const ViewContainer crossed =
+      ViewSession({file("walk.bvh"), "--feet", ankle(1) + "," + ankle(0)}).container("clips/c0");
+  EXPECT_EQ(crossed.header.at("legs")[0].at("ankle"), usual.header.at("legs")[1].at("ankle"));
+  EXPECT_NE(crossed.header.at("plants"), usual.header.at("plants"));
+  EXPECT_EQ(crossed.header.at("figures"), usual.header.at("figures"));
+  for (const float speed : crossed.arrays.at("slide")) EXPECT_TRUE(std::isnan(speed));  // it would be another foot's
+  EXPECT_THAT(crossed.header.at("notes").dump(), HasSubstr("are of the feet found by shape"));
+  const ViewContainer same = ViewSession({file("walk.bvh"), "--feet", ankle(0) + "," + ankle(1)}).container("clips/c0");
+  EXPECT_EQ(same.header.at("notes"), usual.header.at("notes"));
+}
+
 TEST_F(View, ShowsTheParsersMessageForMalformedClips) {
   std::map<std::string, std::string> expected;
   std::vector<std::string> files;

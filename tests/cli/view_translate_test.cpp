@@ -7,6 +7,9 @@
 #include "view_session.h"
 
 #include <cmath>
+#include <filesystem>
+#include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -105,6 +108,36 @@ TEST_F(ViewTranslate, SaysTheCommandThatDoesTheSame) {
   EXPECT_EQ(session_->post("translate/bvh", request(controls)).body,
             written({"--blend", here_.file("copy.strut") + "=0.3", "--strength", "0.3333333333333333", "--part",
                      "left_leg=0.5", "--no-clean-feet"}));
+}
+
+/// What the command `line` writes, run by a shell in `here` with the built program as strut.
+std::string written_by(const std::string& line, const Workplace& here) {
+  const std::string program = std::filesystem::path(STRUT_PROGRAM).parent_path().string();
+  const ProgramResult result = run_program(
+      "/bin/sh", {"-c", "PATH='" + program + "':$PATH; cd '" + here.file("") + "' && " + line + " --force"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return read_file(here.file("a_walk_copy.bvh"));
+}
+
+TEST_F(ViewTranslate, SaysTheCommandThatReadsTheClipAsTheSessionDoes) {
+  const json wanted{{"clip", "c0"}, {"models", {{{"id", "m0"}}}}};
+  std::string text = format_bvh(walk_, default_layout(walk_.skeleton()));
+  const std::size_t offset = text.find("OFFSET");
+  text.replace(offset, text.find('\n', offset) - offset, "OFFSET 7 7 7");  // which --positions is about
+  write_file(here_.file("a walk.bvh"), text);
+  std::set<std::string> results;
+  const std::vector<std::vector<std::string>> all_options{
+      {}, {"--unit", "in"}, {"--up", "Z"}, {"--positions", "add"}, {"--unit", "ft", "--up", "z", "--positions", "add"}};
+  for (const std::vector<std::string>& options : all_options) {
+    std::vector<std::string> arguments{here_.file("a walk.bvh"), here_.file("copy.strut")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ViewSession session(arguments);
+    const std::string command = session.post("translate/command", wanted).json().at("command");
+    const std::string saved = session.post("translate/bvh", wanted).body;
+    EXPECT_EQ(saved, written_by(command, here_)) << command;
+    results.insert(saved);
+  }
+  EXPECT_EQ(results.size(), all_options.size());
 }
 
 TEST_F(ViewTranslate, EveryControlTakesEffect) {

@@ -195,6 +195,13 @@ TEST(PairList, SaysWhereTextIsNotToml) {
   }
 }
 
+TEST(PairList, RefusesHeadersWithoutAName) {
+  using namespace std::string_literals;  // with their zeros
+  for (const std::string& text : {"[[\0"s, "[[="s, "[=]"s, "[[pair.=]]"s, "[["s, "["s, "[[pair"s, "[[pair]"s, "\0"s}) {
+    EXPECT_THROW(parse_pair_list(text, "p.toml"), ParseError) << text;
+  }
+}
+
 TEST(PairList, ChecksFramesAgainstTheClip) {
   const auto pairs = parse_pair_list(kList, "pairs.toml");
   EXPECT_EQ(frames_within(pairs[0].input, 96, "pairs.toml"), (motion::FrameRange{30, 96}));
