@@ -47,7 +47,10 @@ function Trouble({ desk }: { desk: LabelDesk }) {
     <div class="part label-trouble">
       <ProblemNote problem={desk.problem.value} />
       {isSaving && (
-        <p>Your label is not saved yet. It is kept here and sent again until it is; leave this page open.</p>
+        <p>
+          This one label is not saved yet; it is sent again as long as this page is open. If `strut view` has ended,
+          start it again and give it there: everything before it is saved.
+        </p>
       )}
       <div class="row">
         <button type="button" onClick={() => desk.tryAgain()}>
