@@ -90,7 +90,7 @@ describe('labelling', { timeout: PATIENCE }, () => {
     await rate(first.page);
     await view.stop('SIGKILL');
     await first.page.keyboard.press('Enter');
-    await first.page.getByText('Your label is not saved yet').waitFor();
+    await first.page.getByText('This one label is not saved yet').waitFor();
     expect(await first.page.locator('[data-factor=flow] output').textContent()).toBe('0.20 bound');
     expect(labelsOf('ada')).toBe(5);
     await first.page.context().close();
