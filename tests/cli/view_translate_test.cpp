@@ -116,7 +116,7 @@ std::string written_by(const std::string& line, const Workplace& here) {
   const ProgramResult result = run_program(
       "/bin/sh", {"-c", "PATH='" + program + "':$PATH; cd '" + here.file("") + "' && " + line + " --force"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  return read_file(here.file("a_walk_copy.bvh"));
+  return read_file(here.file("a_walk_style.bvh"));
 }
 
 TEST_F(ViewTranslate, SaysTheCommandThatReadsTheClipAsTheSessionDoes) {
@@ -129,7 +129,7 @@ TEST_F(ViewTranslate, SaysTheCommandThatReadsTheClipAsTheSessionDoes) {
   const std::vector<std::vector<std::string>> all_options{
       {}, {"--unit", "in"}, {"--up", "Z"}, {"--positions", "add"}, {"--unit", "ft", "--up", "z", "--positions", "add"}};
   for (const std::vector<std::string>& options : all_options) {
-    std::vector<std::string> arguments{here_.file("a walk.bvh"), here_.file("copy.strut")};
+    std::vector<std::string> arguments{here_.file("a walk.bvh"), here_.file("style.strut")};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const ViewSession session(arguments);
     const std::string command = session.post("translate/command", wanted).json().at("command");
