@@ -188,7 +188,8 @@ TEST_F(Report, LeavesOutWhatIsNotAskedForAndSaysSo) {
   ASSERT_EQ(report({clip("a.bvh"), clip("b.bvh"), "--no-align", "--curves", "body"}).exit_code, 0);
   const Json data = this->data();
   EXPECT_TRUE(data.at("alignments").empty());
-  for (const Json& curve : contents_of(data.at("clips").at("c0")).header.at("curves")) {
+  const Json curves = contents_of(data.at("clips").at("c0")).header.at("curves");
+  for (const Json& curve : curves) {
     EXPECT_THAT(curve.at("name").get<std::string>(), testing::StartsWith("body/"));
   }
   EXPECT_THAT(data.at("session").at("report").at("leftOut").at(0).get<std::string>(), HasSubstr("--curves all"));
