@@ -179,7 +179,7 @@ std::shared_ptr<const ViewClip> Workspace::made_clip(const std::string& id) {
 }
 
 std::shared_ptr<const ViewClip> Workspace::clip(const std::string& id) {
-  if (const auto made = made_clip(id)) return made;
+  if (auto made = made_clip(id)) return made;
   const ViewFile& named = file(id, ViewKind::kClip);
   return clips_.get(id, [&] {
     Diagnostics notes;
